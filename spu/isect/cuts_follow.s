@@ -34,7 +34,7 @@
         # of the cuts
         registers along_x,along_z,per_x,per_z,origin_x,origin_z,step_x,step_z,plus_x,plus_z
         registers num_at,den_at,across,limit,out,state,row,active,left
-        registers num,den,pixel,nowhere
+        registers num,den,pixel,nowhere,next_pixel
         # the square
         registers s0,y0,s1,y1,g,i_x,i_z,c_x,cell_x,cell_z,places
         registers h                                     # to h+3
@@ -45,7 +45,7 @@
         registers t                                     # to t+3, for transposes
         .set    NEXT,t+4
         registers s,slope_x,slope_z,colour              # a pixel's quadword
-        registers place
+        registers place,part
         .set    part0,place
         .set    lanes_of,colour
         .set    inverse,hit
@@ -117,6 +117,13 @@ lanes:  .int    0,1,2,3
         fms     $g,$y1,$den,$one
 .endm
 
+# Which cuts' rays the ground is in the way of.
+.macro  hits
+        fcgt    $hit,$g,$zero
+        and     $hit,$hit,$active
+        orx     $one,$hit
+.endm
+
 # Where the cut leaves the square.
 .macro  end_of_square
         fa      $one,$i_x,$plus_x
@@ -141,10 +148,10 @@ lanes:  .int    0,1,2,3
         fa      $num,$num_at,$quad
         fa      $den,$den_at,$quad+1
         shli    $one,$across,4
-        a       $pixel,$one,$quad+2
+        a       $next_pixel,$one,$quad+2
         a       $one,$across,$quad+3
         clgti   $one,$one,TILE_WIDTH-1
-        selb    $pixel,$pixel,$nowhere,$one
+        selb    $next_pixel,$next_pixel,$nowhere,$one
 .endm
 
 # The corners' numbers, in two of four quadwords: the first and third words, and so on.
@@ -212,7 +219,7 @@ lanes:  .int    0,1,2,3
         between $two,$h+2,$h+3,$f_x
     .endif
         fs      \out,$two,\out
-        ori     $s1,$one,0
+        ori     $part,$one,0
     .ifc \axis,x
         beside  $place,$cell_z,x,1
     .else
@@ -220,7 +227,7 @@ lanes:  .int    0,1,2,3
     .endif
         words_of_four $one,$two,\high_words
         between $place,$one,$two,$f_\other
-        fs      $place,$place,$s1
+        fs      $place,$place,$part
         fs      $place,$place,\out
         fma     \out,$f_\axis,$place,\out
 .endm
@@ -322,16 +329,14 @@ function cuts_follow
         csflt   $i_\axis,$i_\axis,0
     .endr
         next_rays
+        ori     $pixel,$next_pixel,0
         square
         within  $s0
         bilinear $y0,h,$one,$two
         end_of_square
-next_pass:
-        fcgt    $hit,$g,$zero
-        and     $hit,$hit,$active
-        orx     $one,$hit
+        hits
         brnz    $one,pixels
-        # On to the next square.
+next_square:
         orx     $one,$active
         brz     $one,done
         ori     $s0,$s1,0
@@ -349,8 +354,9 @@ next_pass:
         brz     $left,done
         square
         end_of_square
-        br      next_pass
-
+        hits
+        # Often a pixel is next, to which no branch leads.
+        brz     $one,next_square
 pixels:
         ceq     $one,$pixel,$nowhere
         # Where the ray meets the line from the one side to the other.
@@ -363,9 +369,15 @@ pixels:
         fs      $two,$s1,$s0
         fma     $s,$s,$two,$s0
         selb    $state,$state,$s,$hit
-        andc    $one,$hit,$one
-        orx     $one,$one
-        brz     $one,row_done
+        andc    $part,$hit,$one
+        orx     $part,$part
+        # The next rays are those of the rows above.
+        a       $row,$row,$hit
+        cgti    $one,$row,-1
+        and     $active,$active,$one
+        next_rays
+        above_ray
+        brz     $part,row_done
         within  $s
         slope   $slope_x,x,z,02,13
         slope   $slope_z,z,x,01,23
@@ -377,11 +389,11 @@ pixels:
         ilhu    $place,0xffc0
         channel $colour,$place,22
         rotmi   $place,$place,-10
-        channel $s1,$place,12
-        or      $colour,$colour,$s1
+        channel $part,$place,12
+        or      $colour,$colour,$part
         rotmi   $place,$place,-10
-        channel $s1,$place,2
-        or      $colour,$colour,$s1
+        channel $part,$place,2
+        or      $colour,$colour,$part
         transpose quad,s,t,$m_first,$m_last
         selb    $one,$nowhere,$pixel,$hit
         stqd    $quad,0($one)
@@ -390,13 +402,10 @@ pixels:
         stqd    $quad+\lane,0($two)
     .endr
 row_done:
-        a       $row,$row,$hit
-        cgti    $one,$row,-1
-        and     $active,$active,$one
-        next_rays
-        # Where the square ends was kept in no register.
-        end_of_square
-        br      next_pass
+        ori     $pixel,$next_pixel,0
+        hits
+        brnz    $one,pixels
+        br      next_square
 
 done:   fcgt    $one,$out,$state
         ilhu    $two,FARTHEST>>16

@@ -2,14 +2,15 @@
 //! the search for the triangles that they would meet.
 //!
 //! The field is cut into strips across the light, the first one at the edge that is nearest to it,
-//! and into lanes along the light, both as wide as a square. A ray to the light stays in its lane.
+//! as wide as a square, and into narrower lanes along the light. A ray to the light stays in its
+//! lane.
 //! Heights are those above a plane that rises towards the light as its rays do. So a ray to the
 //! light has the same height everywhere, and ground that is higher on its way blocks it. One sweep
 //! along each lane away from the light finds two bounds of the highest ground so far. Points below
 //! the lower one are dark, and points above the upper one are lit.
 //!
 //! On the ground itself the upper bound decides little, since the ground may be the highest so far.
-//! There a cell is lit if, back to a line that is above all ground before it, no square rises as
+//! So a block's upper bound is only that of its cells that are not lit. A cell is lit if, back to a line that is above all ground before it, no square rises as
 //! steeply as the light does. Between the two sides of a lane heights are taken for linear, with a
 //! margin for the bends of the ground between them.
 //!
@@ -27,7 +28,7 @@ use crate::scene::single::single;
 const SIDE: usize = 1 << SHADE_SIDE_LOG2;
 const LEVELS: usize = SHADE_LEVELS as usize;
 /// Lanes of a cell, which is a square wide.
-const LANES: usize = 2;
+const LANES: usize = 4;
 /// How far a lane reaches into its neighbours, in squares: more than the SPUs' singles
 /// are off.
 const OVERLAP: f64 = 1.0 / 64.0;
@@ -182,7 +183,7 @@ impl Cells {
     fn of(Four([first, last, low, high]): Four) -> Self {
         let lit = u64::from(first.get()) << 32 | u64::from(last.get());
         let reach = high.get() & ENDLESS;
-        let [low, high] = [low, high].map(|bits| f32::from_bits(bits.get()));
+        let [low, high] = [low.get(), high.get() & !ENDLESS].map(f32::from_bits);
         Self { lit, low, high, reach }
     }
 
@@ -192,6 +193,22 @@ impl Cells {
         let high = ((self.high.to_bits() + ENDLESS) & !ENDLESS) | self.reach;
         Four([first, last, self.low.to_bits(), high].map(U32::new))
     }
+}
+
+/// A cell, as a lane has it.
+#[derive(Clone, Copy)]
+struct Cell {
+    is_lit: bool,
+    /// Points below this are dark.
+    low: f32,
+    /// Points above this are lit.
+    high: f32,
+    /// How many lines before its block there are where ground may be high enough.
+    reach: u32,
+}
+
+impl Cell {
+    const LIT: Self = Self { is_lit: true, low: f32::MAX, high: 0.0, reach: 0 };
 }
 
 /// The bit of a cell.
@@ -209,6 +226,16 @@ struct Line {
     below: f64,
     /// Whether the lane is all in the field.
     inside: bool,
+}
+
+/// The ground of a lane between two lines.
+struct Strip {
+    /// Whether it rises less steeply than the light everywhere.
+    falls: bool,
+    /// Whether all of it is below its end or before its start.
+    ends_falling: bool,
+    /// By how much it may be higher than at both lines.
+    above: f64,
 }
 
 /// A field as lanes see it.
@@ -268,31 +295,32 @@ impl Ground<'_> {
         found
     }
 
-    /// Whether no ground of a lane rises as steeply as the light between a line and the next, and
-    /// by how much ground there may be higher than at both.
-    fn strip(&self, lane: usize, line: usize) -> (bool, f64) {
+    /// The ground of a lane between a line and the next.
+    fn strip(&self, lane: usize, line: usize) -> Strip {
         let slant = self.sun.slant;
         let (is_main, limit) = (self.sun.flipped[0] == self.sun.flipped[1], self.sun.fall * LESS);
         let [[start, _], [_, end]] = [line, line + 1].map(|line| self.sides(lane, line));
         let last = self.sun.size[1] as i64 - 2;
         let square = |place: f64| (place.floor() as i64).clamp(0, last);
-        let mut rises = false;
-        let mut above = 0.0_f64;
+        let mut strip = Strip { falls: true, ends_falling: true, above: 0.0 };
         for place in square(start)..=square(end) {
             let [a, b] = [0, 1].map(|step| self.at(line, place + step));
             let [c, d] = [0, 1].map(|step| self.at(line + 1, place + step));
-            // Its two triangles' slopes away from the light.
-            let slopes = if is_main {
+            // The slopes away from the light of the triangle that rays leave last, and of the other.
+            let [last, first] = if is_main {
                 [c - a + slant * (d - c), d - b + slant * (b - a)]
             } else {
-                [c - a + slant * (b - a), d - b + slant * (d - c)]
+                [d - b + slant * (d - c), c - a + slant * (b - a)]
             };
-            rises |= slopes.iter().any(|slope| *slope < limit);
-            let twist = (a + d - b - c).abs() * (1.0 + slant);
+            strip.falls &= first.min(last) >= limit;
+            // Rays that come from the square beside it meet only the last one, if it is the main
+            // diagonal that parts them.
+            let from_beside = !is_main && place > square(start);
+            strip.ends_falling &= last >= limit && !(from_beside && first < limit);
             let bend = self.bend(line, place).max(self.bend(line + 1, place)).max(0.0);
-            above = above.max((twist + slant * bend) / 4.0);
+            strip.above = strip.above.max(((first - last).max(0.0) + slant * bend) / 4.0);
         }
-        (!rises, above)
+        strip
     }
 }
 
@@ -374,88 +402,31 @@ impl Shades {
                 self.memory[at] = Cells::NONE.packed();
             }
         }
-        // The highest ground up to each line.
-        let mut highs = [0.0; MAX_SAMPLES as usize];
-        for lane in column * SIDE * LANES..(column + 1) * SIDE * LANES {
-            self.sweep_lane(ground, lane, &mut highs);
-        }
-        for line in 1..highs.len() {
-            highs[line] = highs[line].max(highs[line - 1]);
-        }
-        for row in 0..sun.rows(0) {
-            let Some(at) = sun.index(0, row, column) else {
-                continue;
-            };
-            let mut cells = Cells::of(self.memory[at]);
-            let first = (row * SIDE).min(sun.size[0]);
-            let lower = highs[..first].partition_point(|high| *high < cells.low);
-            cells.reach = ((first - lower) as u32 + 2).min(ENDLESS);
-            self.memory[at] = cells.packed();
+        for lane in column * SIDE..(column + 1) * SIDE {
+            let mut found = [[Cell::LIT; LANES]; MAX_SAMPLES as usize];
+            for part in 0..LANES {
+                sweep_lane(ground, lane * LANES + part, |line, cell| found[line][part] = cell);
+            }
+            for (line, parts) in found[..sun.size[0] - 1].iter().enumerate() {
+                self.add(line, lane, parts);
+            }
         }
     }
 
-    /// Sweeps a lane, and adds its ground to the highest up to each line.
-    fn sweep_lane(
-        &mut self,
-        ground: &Ground<'_>,
-        lane: usize,
-        highs: &mut [f32; MAX_SAMPLES as usize],
-    ) {
-        let sun = self.sun;
-        let [lines, places] = sun.size;
-        // The first line after which it is in the field, and the last.
-        let from = |place: f64| (place - ground.start(lane)) / sun.slant.max(1e-9);
-        let first = (from(-1.0 - OVERLAP).floor() - 1.0).max(0.0) as usize;
-        let end = (from(places as f64 + OVERLAP).ceil().max(0.0) as usize + 1).min(lines - 1);
-        if first >= end {
+    /// Adds what lanes have found at a line to a cell.
+    fn add(&mut self, line: usize, lane: usize, parts: &[Cell; LANES]) {
+        let unlit = || parts.iter().filter(|part| !part.is_lit);
+        let Some(at) = self.sun.index(0, line / SIDE, lane / SIDE) else {
             return;
+        };
+        let mut cells = Cells::of(self.memory[at]);
+        if unlit().next().is_some() {
+            cells.lit &= !bit(line, lane);
         }
-        let margin = MARGIN * (ground.field.unit() * f64::from(u16::MAX) + sun.fall * lines as f64);
-        let mut before = ground.line(lane, first);
-        let mut highest = before.sides.map(|side| side + before.above);
-        let bound = |highest: [f64; 2]| (highest[0].max(highest[1]) + margin) as f32;
-        highs[first] = highs[first].max(bound(highest));
-        let mut surely = 0.0_f64;
-        let mut is_lit = true;
-        // The highest ground before each of the last lines, as far as none has risen.
-        let mut past = [[0.0; 2]; LINES];
-        let mut even = 0;
-        for line in first..end {
-            let here = ground.line(lane, line + 1);
-            let (falls, above) = ground.strip(lane, line);
-            past[line % LINES] = highest;
-            even = if falls { (even + 1).min(LINES) } else { 0 };
-            if before.inside {
-                surely = surely.max(before.sides[0].min(before.sides[1]) - before.below);
-            }
-            for side in 0..2 {
-                let highest = &mut highest[side];
-                *highest = highest.max(here.sides[side] + here.above);
-                if !falls {
-                    let most = here.sides[side].max(before.sides[side]);
-                    *highest = highest.max(most + here.above.max(before.above) + above);
-                }
-            }
-            let cell = is_lit && falls;
-            is_lit = cell
-                || (0..even).any(|back| {
-                    let past = past[(line - back) % LINES];
-                    (0..2).all(|side| past[side] + margin <= here.sides[side] - here.below)
-                });
-            before = here;
-            let Some(at) = sun.index(0, line / SIDE, lane / LANES / SIDE) else {
-                continue;
-            };
-            let mut cells = Cells::of(self.memory[at]);
-            if !cell {
-                cells.lit &= !bit(line, lane / LANES);
-            }
-            let high = bound(highest);
-            cells.low = cells.low.min((surely - margin).max(0.0) as f32);
-            cells.high = cells.high.max(high);
-            self.memory[at] = cells.packed();
-            highs[line + 1] = highs[line + 1].max(high);
-        }
+        cells.low = parts.iter().map(|part| part.low).fold(cells.low, f32::min);
+        cells.high = unlit().map(|part| part.high).fold(cells.high, f32::max);
+        cells.reach = unlit().map(|part| part.reach).fold(cells.reach, u32::max);
+        self.memory[at] = cells.packed();
     }
 
     /// The address of the first block.
@@ -467,6 +438,66 @@ impl Shades {
     #[cfg(test)]
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.memory)
+    }
+}
+
+/// Sweeps a lane, and hands out each of its cells.
+fn sweep_lane(ground: &Ground<'_>, lane: usize, mut add: impl FnMut(usize, Cell)) {
+    let sun = ground.sun;
+    let [lines, places] = sun.size;
+    // The first line after which it is in the field, and the last.
+    let from = |place: f64| (place - ground.start(lane)) / sun.slant.max(1e-9);
+    let first = (from(-1.0 - OVERLAP).floor() - 1.0).max(0.0) as usize;
+    let end = (from(places as f64 + OVERLAP).ceil().max(0.0) as usize + 1).min(lines - 1);
+    if first >= end {
+        return;
+    }
+    let margin = MARGIN * (ground.field.unit() * f64::from(u16::MAX) + sun.fall * lines as f64);
+    let mut before = ground.line(lane, first);
+    let mut highest = before.sides.map(|side| side + before.above);
+    let bound = |highest: [f64; 2]| (highest[0].max(highest[1]) + margin) as f32;
+    // The highest ground up to each line.
+    let mut highs = [0.0; MAX_SAMPLES as usize];
+    highs[first] = bound(highest);
+    let mut surely = 0.0_f64;
+    let mut is_lit = true;
+    // The highest ground before each of the last lines, as far as none has risen.
+    let mut past = [[0.0; 2]; LINES];
+    let mut even = 0;
+    for line in first..end {
+        let here = ground.line(lane, line + 1);
+        let Strip { falls, ends_falling, above } = ground.strip(lane, line);
+        past[line % LINES] = highest;
+        even = if falls { (even + 1).min(LINES) } else { usize::from(ends_falling) };
+        if before.inside {
+            surely = surely.max(before.sides[0].min(before.sides[1]) - before.below);
+        }
+        for side in 0..2 {
+            let highest = &mut highest[side];
+            *highest = highest.max(here.sides[side] + here.above);
+            if !falls {
+                let most = here.sides[side].max(before.sides[side]);
+                *highest = highest.max(most + here.above.max(before.above) + above);
+            }
+        }
+        let cell = is_lit && falls;
+        is_lit = cell
+            || (0..even).any(|back| {
+                let past = past[(line - back) % LINES];
+                (0..2).all(|side| past[side] + margin <= here.sides[side] - here.below)
+            });
+        before = here;
+        let high = bound(highest);
+        // If the ground has dipped at most, a point above all ground before it is above this, too.
+        let before_it = if falls || ends_falling { bound(past[line % LINES]) } else { high };
+        let low = (surely - margin).max(0.0) as f32;
+        // Before that line, all ground is below the lower bound, so it hides only dark points. What
+        // is as high as the bound, and hides these, comes after it.
+        let block = line - line % SIDE;
+        let lower = highs[..block.max(first)].partition_point(|high| *high < low);
+        let reach = ((block + 2).saturating_sub(lower) as u32).min(ENDLESS);
+        add(line, Cell { is_lit: cell, low, high: before_it, reach });
+        highs[line + 1] = high;
     }
 }
 

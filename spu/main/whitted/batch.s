@@ -117,25 +117,34 @@ endfunction batch_trace
 
 # batch_fog   puts the fog between the batch's surfaces and where its rays have started
 #   Uses    $3-$30, w_left
-        .set    mask,10
-        .set    beyond,11
-        .set    step,12
+        .set    mask,10                                 # to 13
+        .set    beyond,14
+        .set    step,15
 
 function batch_fog
         enter
         ori     $w_left,$w_count,0
 next_fog:
+        hbrr    fog_call,fog_r16
         ai      $w_left,$w_left,-1
         packet_at $4,$3,$step
         ila     $beyond,SCENE_ADDRESS
         ila     $5,fog_mask
+        # Row by row, each instruction would wait for the one before.
     .irp row, 0,1,2,3
-        lqd     $mask,RAYS16_object+16*\row($4)
-        ceq     $mask,$mask,$beyond
-        xori    $mask,$mask,-1
-        stqd    $mask,16*\row($5)
+        lqd     $mask+\row,RAYS16_object+16*\row($4)
+    .endr
+    .irp row, 0,1,2,3
+        ceq     $mask+\row,$mask+\row,$beyond
+    .endr
+    .irp row, 0,1,2,3
+        xori    $mask+\row,$mask+\row,-1
+    .endr
+    .irp row, 0,1,2,3
+        stqd    $mask+\row,16*\row($5)
     .endr
         ila     $6,frame+FRAME_fog
+fog_call:
         brsl    $lr,fog_r16
         brnz    $w_left,next_fog
         leave
@@ -237,6 +246,15 @@ sent:   sum_lanes $3,$amount
         # Local store holds few objects, and their rays are rarely reflected often.
         lqa     $turned,streamed
         andi    $turned,$turned,FEATURE_MESH
+        brz     $turned,refined
+        # Where cuts find the ground, main memory holds nothing round.
+        lqa     $turned,cuts
+        lqa     $c_same,frame+FRAME_trees+BVH_SIZE*BVH_SPHERES
+        lqa     $offset,frame+FRAME_trees+BVH_SIZE*BVH_CONES
+        ceqi    $turned,$turned,0
+        or      $c_same,$c_same,$offset
+        rotqbyi $c_same,$c_same,BVH_objects
+        or      $turned,$turned,$c_same
         brz     $turned,refined
         lqa     $3,rays_at
         ori     $4,$w_count,0

@@ -285,6 +285,7 @@ function cuts_tile
         ila     $a_cuts,arena+CUT_STATES
         a       $a_cuts,$a_cuts,$value
 next_state:
+        hbrr    last_state,next_state
         load_any $near,$a_from
         ai      $value,$a_from,4
         load_any $far,$value
@@ -301,6 +302,7 @@ next_state:
         ai      $a_cuts,$a_cuts,32
         ai      $left,$left,1
         ceq     $one,$left,$end_four
+last_state:
         brz     $one,next_state
         # No block is there yet.
         il      $one,-1
@@ -327,12 +329,14 @@ next_strip:
         shli    $12,$four,5
         a       $10,$10,$12
 next_carried:
+        hbrr    last_carried,next_carried
         lqd     $12,0($10)
         stqd    $12,0($11)
         ai      $10,$10,32
         ai      $11,$11,16
         ai      $four,$four,1
         ceq     $12,$four,$end_four
+last_carried:
         brz     $12,next_carried
         leave
 endfunction cuts_tile
@@ -342,7 +346,7 @@ endfunction cuts_tile
         registers a_field,side,per_side,above,reach,bits,depth,until,m_half
         registers origin_x,origin_z,at_x,at_z,low_x,high_x,low_z,high_z,c_wide,quad
         registers size,high,low,element,stride,rest,a_list,start,key,a_key,command,tag
-        registers slopes,distance
+        registers slopes,distance,m_pair
     .if NEXT > 80
         .error  "too many registers"
     .endif
@@ -432,6 +436,7 @@ next_depth:
         ila     $a_state,arena+CUT_STATES
         a       $a_state,$a_state,$one
 next_cut:
+        hbrr    last_cut,next_cut
         lqd     $one,0($a_state)
         lqd     $two,16($a_state)
         cgti    $two,$two,-1
@@ -440,6 +445,7 @@ next_cut:
         ai      $a_state,$a_state,32
         ai      $left,$left,1
         ceq     $one,$left,$last_four
+last_cut:
         brz     $one,next_cut
     .irp turn, 4,8
         rotqbyi $one,$near,\turn
@@ -578,6 +584,7 @@ next_block:
         shli    $one,$slot,7
         ila     $start,arena+CUT_LISTS
         a       $start,$start,$one
+        lqa     $m_pair,transpose_first
         ori     $a_list,$start,0
         ori     $near,$a_level,0
         shli    $c_wide,$block_z,3
@@ -597,15 +604,16 @@ next_samples:
         a       $element,$element,$two
         ai      $element,$element,16
 next_element:
-        cwd     $rest,0($a_list)
+        hbrr    last_element,next_element
         lqd     $one,0($a_list)
-        shufb   $one,$size,$one,$rest
-        cwd     $rest,4($a_list)
-        shufb   $one,$element,$one,$rest
+        shufb   $two,$size,$element,$m_pair
+        cdd     $rest,0($a_list)
+        shufb   $one,$two,$one,$rest
         stqd    $one,0($a_list)
         a       $element,$element,$stride
         ai      $a_list,$a_list,8
         ai      $left,$left,1
+last_element:
         brnz    $left,next_element
         ai      $rest,$size,-CELL_PITCH
         ai      $near,$near,HEIGHT_LEVEL_SIZE
@@ -634,6 +642,7 @@ fetched:
         il      $3,1<<TAG_MESH
         brsl    $lr,dma_wait
 next_new:
+        hbrr    cells_call,cuts_cells
         # The last bit that is set.
         sfi     $10,$new_slots,0
         and     $10,$10,$new_slots
@@ -656,11 +665,13 @@ next_new:
         shli    $5,$5,3
         shli    $6,$6,3
         ila     $7,arena+CUT_CELLS
+cells_call:
         brsl    $lr,cuts_cells
         brnz    $new_slots,next_new
 cells_made:
         ori     $slot,$four,0
 next_cuts:
+        hbrr    follow_call,cuts_follow
         ila     $3,arena+CUT_PARAMETERS
         ila     $4,arena+CUT_STATES
         shli    $5,$slot,5
@@ -668,6 +679,7 @@ next_cuts:
         shli    $5,$slot,2
         ai      $5,$5,-COLUMNS_BEFORE
         ila     $6,arena+CUT_CELLS
+follow_call:
         brsl    $lr,cuts_follow
         ai      $slot,$slot,1
         ceq     $3,$slot,$last_four
@@ -725,11 +737,13 @@ skip:   rotmai  $block_x,$low_x,-3
         il      $tag,TAG_MESH
         il      $command,MFC_GET
 next_heights:
+        hbrr    last_heights,next_heights
         mfc_command $a_list,$high,$element,$size,$tag,$command
         a       $a_list,$a_list,$size
         a       $element,$element,$two
         ai      $block_z,$block_z,1
         cgt     $one,$block_z,$slot
+last_heights:
         brz     $one,next_heights
         ori     $new_slots,$a_list,0
         il      $3,1<<TAG_MESH
@@ -739,12 +753,14 @@ next_heights:
         ila     $start,arena+CUT_SAMPLES
         il      $low,0
 next_highest:
+        hbrr    last_height,next_highest
         lqd     $one,0($start)
         rotmi   $one,$one,-16
         cgt     $two,$one,$low
         selb    $low,$low,$one,$two
         ai      $start,$start,16
         ceq     $one,$start,$new_slots
+last_height:
         brz     $one,next_highest
     .irp turn, 4,8
         rotqbyi $one,$low,\turn
@@ -775,12 +791,14 @@ too_low:
         ila     $a_state,arena+CUT_STATES
         a       $a_state,$a_state,$one
 next_skipped:
+        hbrr    last_skipped,next_skipped
         lqd     $one,0($a_state)
         maximum $one,$far,$two
         stqd    $one,0($a_state)
         ai      $a_state,$a_state,32
         ai      $left,$left,1
         ceq     $one,$left,$last_four
+last_skipped:
         brz     $one,next_skipped
         br      next_depth
 endfunction cuts_strip

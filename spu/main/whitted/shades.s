@@ -46,16 +46,27 @@ function shades_look
         splat_mask $m_first
         ila     $word,field+HEIGHTS_shades_line
         ila     $a_to,arena+SHADE_NUMBERS
-        il      $left,-SHADES_SIZE/16
-next_number:
+        il      $left,-SHADES_SIZE/64
+next_numbers:
+        hbrr    last_numbers,next_numbers
+        # Four numbers are in a quadword, which all begin at a multiple of 16.
         lqd     $quad,0($word)
-        rotqby  $quad,$quad,$word
-        splat   $quad,$quad,$m_first
-        stqd    $quad,0($a_to)
-        ai      $word,$word,4
-        ai      $a_to,$a_to,16
+        rotqbyi $one,$quad,4
+        rotqbyi $two,$quad,8
+        rotqbyi $extent,$quad,12
+    .set    number_at,0
+    .irp number, quad,one,two,extent
+        splat   $\number,$\number,$m_first
+    .endr
+    .irp number, quad,one,two,extent
+        stqd    $\number,number_at($a_to)
+    .set    number_at,number_at+16
+    .endr
+        ai      $word,$word,16
+        ai      $a_to,$a_to,4*16
         ai      $left,$left,1
-        brnz    $left,next_number
+last_numbers:
+        brnz    $left,next_numbers
         lqa     $3,shadow_rays_at
         ori     $4,$w_traced,0
         ila     $5,arena+SHADE_NUMBERS
@@ -148,10 +159,12 @@ next_blocks:
 endfunction shades_look
 
         .set    NEXT,10
-        registers a_row,packets_left,k_no_ray,k_beyond,t,c_ray
+        registers a_row,packets_left,k_no_ray,k_beyond
+        registers t                                     # to t+3, like c_ray
+        .set    c_ray,t+4
 
 # shades_end   gives the rays that reach the light its distance
-#   Uses    $10-$15
+#   Uses    $10-$21
 function shades_end
         lqa     $a_row,shadow_rays_at
         ori     $packets_left,$w_traced,0
@@ -160,10 +173,16 @@ function shades_end
 next_packet:
         hbrr    last_packet,next_packet
     .irp row, 0,1,2,3
-        lqd     $t,RAYS16_t+16*\row($a_row)
-        cgt     $c_ray,$t,$k_no_ray
-        selb    $t,$t,$k_beyond,$c_ray
-        stqd    $t,RAYS16_t+16*\row($a_row)
+        lqd     $t+\row,RAYS16_t+16*\row($a_row)
+    .endr
+    .irp row, 0,1,2,3
+        cgt     $c_ray+\row,$t+\row,$k_no_ray
+    .endr
+    .irp row, 0,1,2,3
+        selb    $t+\row,$t+\row,$k_beyond,$c_ray+\row
+    .endr
+    .irp row, 0,1,2,3
+        stqd    $t+\row,RAYS16_t+16*\row($a_row)
     .endr
         ai      $packets_left,$packets_left,-1
         il      $t,RAYS16_SIZE

@@ -52,8 +52,8 @@ fn ground(field: &HeightField, x: f64, z: f64) -> f64 {
     }
 }
 
-/// By how much the highest ground before a point is above its ray to the light, from a distance on.
-fn above(field: &HeightField, point: DVec3, to_light: DVec3, from: f64) -> f64 {
+/// By how much the highest ground before a point is above its ray to the light, between distances.
+fn above(field: &HeightField, point: DVec3, to_light: DVec3, from: f64, to: f64) -> f64 {
     let [columns, rows] = field.size().map(|side| f64::from(side) - 1.0);
     let way = to_light / field.step();
     let mut crossings = Vec::new();
@@ -67,7 +67,7 @@ fn above(field: &HeightField, point: DVec3, to_light: DVec3, from: f64) -> f64 {
     let inside = |t: &f64| {
         let [x, z] = [point.x + t * way.x, point.z + t * way.z];
         let within = |at: f64, last: f64| (-1e-9..=last + 1e-9).contains(&at);
-        *t > from && within(x, columns) && within(z, rows)
+        *t > from && *t <= to && within(x, columns) && within(z, rows)
     };
     let heights = crossings.into_iter().filter(|t| t.is_finite()).filter(inside).map(|t| {
         ground(field, point.x + t * way.x, point.z + t * way.z) - point.y - t * to_light.y
@@ -98,6 +98,25 @@ fn state(shades: &Shades, field: &HeightField, level: usize, point: DVec3) -> (b
     (is_lit, !is_lit && height < cells.low, end)
 }
 
+/// Checks a point's state by the cells of each level against the ground before it. Returns whether
+/// it is lit and whether it is dark by the first level.
+fn check(shades: &Shades, field: &HeightField, to_light: DVec3, point: DVec3) -> (bool, bool) {
+    let hidden = above(field, point, to_light, 0.0, f64::INFINITY);
+    let states = [0, 1, 2].map(|level| {
+        let (is_lit, is_dark, end) = state(shades, field, level, point);
+        let what = format!("level {level}: {:?} {to_light} {point}", field.size());
+        assert!(!is_lit || hidden <= 0.0, "{what} is said to be lit: {hidden}");
+        assert!(!is_dark || hidden > 0.0, "{what} is said to be dark: {hidden}");
+        if !is_lit && !is_dark {
+            let near = above(field, point, to_light, 0.0, end);
+            let is_right = (near > 0.0) == (hidden > 0.0);
+            assert!(is_right, "{what} is said to be free from {end} on: {hidden}");
+        }
+        (is_lit, is_dark)
+    });
+    states[0]
+}
+
 #[test]
 fn states_of_cells_hold() {
     let mut random = ChaCha8Rng::seed_from_u64(1);
@@ -126,24 +145,41 @@ fn states_of_cells_hold() {
             let [x, z] = size.map(&mut along);
             let high = [0.0, 0.0, 0.3, 3.0][random.random_range(0..4)] * random.random::<f64>();
             let point = DVec3::new(x, ground(&field, x, z) + high + 1e-3, z);
-            let hidden = above(&field, point, to_light, 0.0);
-            for level in 0..3 {
-                let (is_lit, is_dark, end) = state(&shades, &field, level, point);
-                let what = format!("round {round}, level {level}: {size:?} {to_light} {point}");
-                assert!(!is_lit || hidden <= 0.0, "{what} is said to be lit: {hidden}");
-                assert!(!is_dark || hidden > 0.0, "{what} is said to be dark: {hidden}");
-                if !is_lit && !is_dark {
-                    let beyond = above(&field, point, to_light, end);
-                    assert!(beyond <= 0.0, "{what} is said to be free from {end} on: {beyond}");
-                }
-                if level == 0 {
-                    lit += u32::from(is_lit);
-                    dark += u32::from(is_dark);
-                    points += 1;
-                }
-            }
+            let (is_lit, is_dark) = check(&shades, &field, to_light, point);
+            lit += u32::from(is_lit);
+            dark += u32::from(is_dark);
+            points += 1;
         }
     }
     println!("{lit} lit and {dark} dark of {points}");
     assert!(lit * 4 > points && dark * 20 > points, "{lit} lit and {dark} dark of {points}");
+}
+
+/// Points in the shadow of a summit of one sample, or of a wall with a notch of one sample, which
+/// are higher or lower than the ground between the sides of a lane.
+#[test]
+fn bends_in_lanes_count() {
+    const SIDE: u32 = 40;
+    const MIDDLE: u32 = SIDE / 2;
+    let mut random = ChaCha8Rng::seed_from_u64(2);
+    for round in 0..300 {
+        let is_summit = round % 2 == 0;
+        let heights = (0..SIDE * SIDE).map(|at| {
+            let is_middle = at == MIDDLE * SIDE + MIDDLE;
+            let is_wall = !is_summit && at % SIDE == MIDDLE;
+            100 + 400 * u16::from(is_wall && !is_middle) + 200 * u16::from(is_middle)
+        });
+        let field = HeightField::new([SIDE; 2], heights.collect(), Vec::new(), 2.0, 0.01);
+        let field = field.expect("a field");
+        let mut part = |range: std::ops::Range<f64>| random.random_range(range);
+        let to_light = DVec3::new(1.0, part(0.1..0.4), part(-0.9..0.9)).normalize();
+        let to_light = to_light.as_vec3().as_dvec3();
+        let shades = Shades::new(&field, Sun::new(&field, to_light).expect("a sun"));
+        let sample = DVec3::splat(f64::from(MIDDLE)).with_y(3.0);
+        let away = part(1.0..10.0) * to_light / DVec3::new(2.0, 1.0, 2.0);
+        let point = sample - away + part(-0.3..0.3) * DVec3::Y;
+        if point.y > ground(&field, point.x, point.z) + 1e-3 {
+            check(&shades, &field, to_light, point);
+        }
+    }
 }

@@ -92,14 +92,14 @@ endfunction height_begin
 
         .set    NEXT,10
         registers t_carry,kind,level,row,column,a_level,word
-        registers high,low,size,command,a_list,left,rest,element,stride
+        registers high,low,size,command,a_list,left,rest,element,stride,m_size,m_place
         .set    number,3
         .set    slot,4
         .set    tag,5
 
 # height_fetch   starts to fetch a block of the height field
 #   In      $3 number, $4 address of its slot, $5 tag
-#   Uses    $10-$25
+#   Uses    $10-$27
 #
 # The samples' rows are elements of a list, which is at the slot's beginning until they are there.
 function height_fetch
@@ -145,6 +145,7 @@ samples:
         load_word $left,HEIGHTS_levels_of+HEIGHT_LEVEL_down,$a_level
         clgt    $left,$left,$row
         brz     $left,damaged
+        fsmbi   $m_size,0xf000
         # Seven rows of its own level, and five of the next.
         ori     $a_list,$slot,0
         shli    $row,$row,2
@@ -162,15 +163,17 @@ next_level:
         a       $word,$word,$low
         a       $element,$element,$word
 next_element:
-        cwd     $rest,0($a_list)
+        hbrr    last_element,next_element
         lqd     $word,0($a_list)
-        shufb   $word,$size,$word,$rest
-        cwd     $rest,4($a_list)
-        shufb   $word,$element,$word,$rest
+        rotqmbyi $rest,$element,-4
+        selb    $rest,$rest,$size,$m_size
+        cdd     $m_place,0($a_list)
+        shufb   $word,$rest,$word,$m_place
         stqd    $word,0($a_list)
         a       $element,$element,$stride
         ai      $a_list,$a_list,8
         ai      $left,$left,1
+last_element:
         brnz    $left,next_element
         ai      $rest,$size,-HEIGHT_PITCH
         ai      $a_level,$a_level,HEIGHT_LEVEL_SIZE

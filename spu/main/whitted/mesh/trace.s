@@ -266,8 +266,13 @@ level_call:
         ori     $3,$m_list,0
         rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
         brz     $4,next_block
+        # Whether more than half of the children are left for rays that are far apart.
         lqa     $mask,scattered
-        brnz    $mask,was_it_enough
+        lqa     $number,node_count
+        shli    $near,$number,1
+        cgt     $near,$4,$near
+        and     $mask,$mask,$near
+        brnz    $mask,not_enough
 level_met:
         tally   cull_tests,$4
         br      next_level
@@ -437,12 +442,8 @@ filter: ila     $5,arena+MESH_LIST
         brsl    $lr,filter_boxes_r16
         br      met
 
-        # More than half of the children are left, so their packets' rays are tested with them.
-was_it_enough:
-        lqa     $number,node_count
-        shli    $near,$number,1
-        cgt     $near,$4,$near
-        brz     $near,level_met
+        # The packets' rays are tested with the children.
+not_enough:
         lqa     $3,nodes
         ori     $4,$number,0
         ori     $5,$m_list,0
@@ -651,10 +652,12 @@ endfunction height_together
 # mesh_drop_blocked   takes the shadow rays that have hit something out of packets
 #   In      $3 packets, $4 how many
 #   Out     t of these rays: -1
-#   Uses    $10-$16
+#   Uses    $10-$25
         .set    NEXT,10
         registers a_packet,packets_left,k_no_ray,background
-        registers row_t,row_object,c_lit
+        registers row_t                                 # to row_t+3, like the next two
+        .set    row_object,row_t+4
+        .set    c_lit,row_t+8
 
 function mesh_drop_blocked
         ori     $a_packet,$3,0
@@ -664,11 +667,17 @@ function mesh_drop_blocked
 next_blocked:
         hbrr    last_blocked,next_blocked
     .irp row, 0,1,2,3
-        lqd     $row_t,RAYS16_t+16*\row($a_packet)
-        lqd     $row_object,RAYS16_object+16*\row($a_packet)
-        ceq     $c_lit,$row_object,$background
-        selb    $row_t,$k_no_ray,$row_t,$c_lit
-        stqd    $row_t,RAYS16_t+16*\row($a_packet)
+        lqd     $row_t+\row,RAYS16_t+16*\row($a_packet)
+        lqd     $row_object+\row,RAYS16_object+16*\row($a_packet)
+    .endr
+    .irp row, 0,1,2,3
+        ceq     $c_lit+\row,$row_object+\row,$background
+    .endr
+    .irp row, 0,1,2,3
+        selb    $row_t+\row,$k_no_ray,$row_t+\row,$c_lit+\row
+    .endr
+    .irp row, 0,1,2,3
+        stqd    $row_t+\row,RAYS16_t+16*\row($a_packet)
     .endr
     .rept   2                                           # ai reaches to 511
         ai      $a_packet,$a_packet,RAYS16_SIZE/2
