@@ -3,16 +3,16 @@
 //!
 //! The field is cut into strips across the light, the first one at the edge that is nearest to it,
 //! as wide as a square, and into narrower lanes along the light. A ray to the light stays in its
-//! lane.
-//! Heights are those above a plane that rises towards the light as its rays do. So a ray to the
-//! light has the same height everywhere, and ground that is higher on its way blocks it. One sweep
-//! along each lane away from the light finds two bounds of the highest ground so far. Points below
-//! the lower one are dark, and points above the upper one are lit.
+//! lane. Heights are those above a plane that rises towards the light as its rays do. So a ray to
+//! the light has the same height everywhere, and ground that is higher on its way blocks it. One
+//! sweep along each lane away from the light finds two bounds of the highest ground so far. Points
+//! below the lower one are dark, and points above the upper one are lit.
 //!
 //! On the ground itself the upper bound decides little, since the ground may be the highest so far.
-//! So a block's upper bound is only that of its cells that are not lit. A cell is lit if, back to a line that is above all ground before it, no square rises as
-//! steeply as the light does. Between the two sides of a lane heights are taken for linear, with a
-//! margin for the bends of the ground between them.
+//! So a block's upper bound is only that of its cells that are not lit. A cell is lit if, back to a
+//! line that is above all ground before it, no square rises as steeply as the light does. Between
+//! the two sides of a lane heights are taken for linear, with a margin for the bends of the ground
+//! between them.
 //!
 //! Bounds hold for the triangles of the first level. Coarser levels have less of the same cells.
 
@@ -306,7 +306,7 @@ impl Ground<'_> {
         for place in square(start)..=square(end) {
             let [a, b] = [0, 1].map(|step| self.at(line, place + step));
             let [c, d] = [0, 1].map(|step| self.at(line + 1, place + step));
-            // The slopes away from the light of the triangle that rays leave last, and of the other.
+            // The slopes away from the light of the triangle that rays leave last, and the other's.
             let [last, first] = if is_main {
                 [c - a + slant * (d - c), d - b + slant * (b - a)]
             } else {
