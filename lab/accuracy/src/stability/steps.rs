@@ -126,7 +126,7 @@ pub fn leave(
         surfaces: address::<Surfaces>(surfaces, number).into(),
         rays: address::<RayPacket>(rays, number).into(),
         shines: U32::ZERO,
-        unused: U32::ZERO,
+        shadow: U32::ZERO,
     };
     let list: Vec<Site> = (0..packets.len()).map(site).collect();
     let sites = put(bench, &list);
