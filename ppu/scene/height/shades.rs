@@ -203,12 +203,8 @@ struct Cell {
     low: f32,
     /// Points above this are lit.
     high: f32,
-    /// How many lines before its block there are where ground may be high enough.
-    reach: u32,
-}
-
-impl Cell {
-    const LIT: Self = Self { is_lit: true, low: f32::MAX, high: 0.0, reach: 0 };
+    /// The highest ground up to its end.
+    highest: f32,
 }
 
 /// The bit of a cell.
@@ -402,30 +398,40 @@ impl Shades {
                 self.memory[at] = Cells::NONE.packed();
             }
         }
-        for lane in column * SIDE..(column + 1) * SIDE {
-            let mut found = [[Cell::LIT; LANES]; MAX_SAMPLES as usize];
-            for part in 0..LANES {
-                sweep_lane(ground, lane * LANES + part, |line, cell| found[line][part] = cell);
-            }
-            for (line, parts) in found[..sun.size[0] - 1].iter().enumerate() {
-                self.add(line, lane, parts);
-            }
+        // The highest ground up to the line after each.
+        let mut highs = [0.0; MAX_SAMPLES as usize];
+        for lane in column * SIDE * LANES..(column + 1) * SIDE * LANES {
+            sweep_lane(ground, lane, |line, cell| {
+                highs[line] = cell.highest.max(highs[line]);
+                self.add(line, lane / LANES, cell);
+            });
+        }
+        for line in 1..highs.len() {
+            highs[line] = highs[line].max(highs[line - 1]);
+        }
+        for row in 0..sun.rows(0) {
+            let Some(at) = sun.index(0, row, column) else {
+                continue;
+            };
+            let mut cells = Cells::of(self.memory[at]);
+            let first = (row * SIDE).min(sun.size[0]);
+            let lower = highs[..first].partition_point(|high| *high < cells.low);
+            cells.reach = ((first - lower) as u32 + 2).min(ENDLESS);
+            self.memory[at] = cells.packed();
         }
     }
 
-    /// Adds what lanes have found at a line to a cell.
-    fn add(&mut self, line: usize, lane: usize, parts: &[Cell; LANES]) {
-        let unlit = || parts.iter().filter(|part| !part.is_lit);
+    /// Adds what a lane has found at a line to a cell.
+    fn add(&mut self, line: usize, lane: usize, found: Cell) {
         let Some(at) = self.sun.index(0, line / SIDE, lane / SIDE) else {
             return;
         };
         let mut cells = Cells::of(self.memory[at]);
-        if unlit().next().is_some() {
+        cells.low = cells.low.min(found.low);
+        if !found.is_lit {
             cells.lit &= !bit(line, lane);
+            cells.high = cells.high.max(found.high);
         }
-        cells.low = parts.iter().map(|part| part.low).fold(cells.low, f32::min);
-        cells.high = unlit().map(|part| part.high).fold(cells.high, f32::max);
-        cells.reach = unlit().map(|part| part.reach).fold(cells.reach, u32::max);
         self.memory[at] = cells.packed();
     }
 
@@ -456,9 +462,6 @@ fn sweep_lane(ground: &Ground<'_>, lane: usize, mut add: impl FnMut(usize, Cell)
     let mut before = ground.line(lane, first);
     let mut highest = before.sides.map(|side| side + before.above);
     let bound = |highest: [f64; 2]| (highest[0].max(highest[1]) + margin) as f32;
-    // The highest ground up to each line.
-    let mut highs = [0.0; MAX_SAMPLES as usize];
-    highs[first] = bound(highest);
     let mut surely = 0.0_f64;
     let mut is_lit = true;
     // The highest ground before each of the last lines, as far as none has risen.
@@ -491,13 +494,7 @@ fn sweep_lane(ground: &Ground<'_>, lane: usize, mut add: impl FnMut(usize, Cell)
         // If the ground has dipped at most, a point above all ground before it is above this, too.
         let before_it = if falls || ends_falling { bound(past[line % LINES]) } else { high };
         let low = (surely - margin).max(0.0) as f32;
-        // Before that line, all ground is below the lower bound, so it hides only dark points. What
-        // is as high as the bound, and hides these, comes after it.
-        let block = line - line % SIDE;
-        let lower = highs[..block.max(first)].partition_point(|high| *high < low);
-        let reach = ((block + 2).saturating_sub(lower) as u32).min(ENDLESS);
-        add(line, Cell { is_lit: cell, low, high: before_it, reach });
-        highs[line + 1] = high;
+        add(line, Cell { is_lit: cell, low, high: before_it, highest: high });
     }
 }
 
