@@ -226,9 +226,9 @@ struct Line {
 
 /// The ground of a lane between two lines.
 struct Strip {
-    /// Whether it rises less steeply than the light everywhere.
+    /// Whether it rises towards the light less steeply than that does.
     falls: bool,
-    /// Whether all of it is below its end or before its start.
+    /// Whether what rays leave last does so, and only what they enter first may not.
     ends_falling: bool,
     /// By how much it may be higher than at both lines.
     above: f64,
