@@ -45,6 +45,10 @@ function units_trace
         andi    $bad,$bad,FEATURE_WHITTED
         brnz    $bad,whitted
         brsl    $lr,planes_prepare
+        # The code for depth shading comes with the scene.
+        il      $3,1<<TAG_FRAME
+        brsl    $lr,dma_wait
+        sync
         brsl    $lr,pixels_prepare
         br      prepared
 whitted:

@@ -11,8 +11,8 @@ _start:
 # the bench has all the memory in front of them.
         .global depth_place, boxes_place, height_place, colour_place, texture_place
         .global cuts_place, sort_place, build_place
-        .set    cuts_place,0x25c80
-        .set    depth_place,0x27600
+        .set    cuts_place,0x25f80
+        .set    depth_place,0x27900
         .set    boxes_place,0x31f80
         .set    height_place,0x33200
         .set    colour_place,0x34b00

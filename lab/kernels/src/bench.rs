@@ -31,14 +31,14 @@ const LOST: u16 = 0x1ffe;
 const STACK: u32 = 0x3f780;
 /// The end of the arena: `depth_place` in `image/start.s`. Behind it are the kernels for depth
 /// shading, boxes, height fields, colours, textures, meshes, refitted and built meshes.
-const ARENA_END: u32 = 0x27600;
+const ARENA_END: u32 = 0x27900;
 /// The end of the arena for the kernels for cuts, which are there: `cuts_place`. Buffers of other
 /// kernels may take their place.
-const CUTS: u32 = 0x25c80;
+const CUTS: u32 = 0x25f80;
 /// The address of the `stop` that a kernel returns to.
 pub(crate) const RETURN_ADDRESS: u32 = 0x3f800;
 /// The beginning of the arena, after the other kernels.
-const ARENA: u32 = 0x1d600;
+const ARENA: u32 = 0x1d900;
 const GUARD: usize = 64;
 const GUARD_BYTE: u8 = 0xa5;
 const LIMIT: u64 = 10_000_000;
