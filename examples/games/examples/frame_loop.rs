@@ -1,6 +1,7 @@
 //! The frame loop alone, without a display: it plays on from a demonstration's moment, or plays a
 //! scene's animation, or traces a scene's frame anew again and again. `ci/ppe` counts the
-//! instructions that the PPE executes, with an SPU program that only replies. With `LIBSPE2_TIMING=1` it prints the SPUs' frames a second.
+//! instructions that the PPE executes, with an SPU program that only replies. With
+//! `LIBSPE2_TIMING=1` it prints the SPUs' frames a second.
 //!
 //!     cargo run --release -p games --example frame_loop -- NAME|SCENE FRAMES [PROGRAM.elf]
 
