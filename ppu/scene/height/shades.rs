@@ -27,8 +27,12 @@ use crate::scene::single::single;
 /// Cells of a block, along the light and across it.
 const SIDE: usize = 1 << SHADE_SIDE_LOG2;
 const LEVELS: usize = SHADE_LEVELS as usize;
-/// Lanes of a cell, which is a square wide.
+/// Lanes of a cell, which is a square wide, and those of a block.
 const LANES: usize = 4;
+const ACROSS: usize = SIDE * LANES;
+/// Samples of a line that a block's lanes are compared with, from the line before it to the next,
+/// and one more on each side: lanes go aside by a sample a line at most.
+const WIDTH: usize = SIDE + 6;
 /// How far a lane reaches into its neighbours, in squares: more than the SPUs' singles
 /// are off.
 const OVERLAP: f64 = 1.0 / 64.0;
@@ -212,26 +216,45 @@ fn bit(line: usize, lane: usize) -> u64 {
     1 << (63 - (line % SIDE * SIDE + lane % SIDE))
 }
 
+/// The samples of a line, from one on.
+struct Row {
+    first: i64,
+    heights: [f64; WIDTH],
+    /// How much each is above the mean of its neighbours, twice.
+    bends: [f64; WIDTH],
+}
+
+impl Row {
+    /// A height or a bend of a place. Lanes reach only those that are there.
+    fn of(&self, values: &[f64; WIDTH], place: i64) -> f64 {
+        values[(place - self.first) as usize]
+    }
+}
+
+/// A square between two lines.
+#[derive(Clone, Copy, Default)]
+struct Square {
+    /// Whether it rises towards the light less steeply than that does.
+    falls: bool,
+    /// Whether what rays leave last does so, and only what they enter first may not. Rays that
+    /// come from the square beside it meet only the last one, if it is the main diagonal that
+    /// parts them: the second is for these.
+    ends_falling: [bool; 2],
+    /// By how much it may be higher than at both lines.
+    above: f64,
+}
+
 /// The ground at a line within a lane.
 #[derive(Clone, Copy, Default)]
 struct Line {
-    /// At the lane's sides.
+    /// The samples at or before the lane's sides, and the heights there.
+    places: [i64; 2],
     sides: [f64; 2],
     /// How much higher and how much lower than in between it may be.
     above: f64,
     below: f64,
     /// Whether the lane is all in the field.
     inside: bool,
-}
-
-/// The ground of a lane between two lines.
-struct Strip {
-    /// Whether it rises towards the light less steeply than that does.
-    falls: bool,
-    /// Whether what rays leave last does so, and only what they enter first may not.
-    ends_falling: bool,
-    /// By how much it may be higher than at both lines.
-    above: f64,
 }
 
 /// A field as lanes see it.
@@ -258,65 +281,160 @@ impl Ground<'_> {
         lane as f64 / LANES as f64 - self.sun.shift
     }
 
-    /// The places between which a lane is at a line.
-    fn sides(&self, lane: usize, line: usize) -> [f64; 2] {
-        let start = self.start(lane) + self.sun.slant * line as f64;
-        [start - OVERLAP, start + 1.0 / LANES as f64 + OVERLAP]
-    }
-
-    /// How much a sample of a line is above the mean of its neighbours, twice.
-    fn bend(&self, line: usize, place: i64) -> f64 {
-        2.0 * self.at(line, place) - self.at(line, place - 1) - self.at(line, place + 1)
-    }
-
-    fn line(&self, lane: usize, line: usize) -> Line {
-        let last = (self.sun.size[1] - 1) as f64;
-        let [start, end] = self.sides(lane, line);
-        let side = |place: f64| {
-            let place = place.clamp(0.0, last);
-            let whole = place.floor();
-            let [one, other] = [0, 1].map(|step| self.at(line, whole as i64 + step));
-            one + (other - one) * (place - whole)
-        };
-        let mut found = Line {
-            sides: [start, end].map(side),
-            inside: start >= 0.0 && end <= last,
-            ..Line::default()
-        };
-        for place in start.ceil() as i64..=end.floor() as i64 {
-            let bend = self.bend(line, place) * (end - start) / 4.0;
-            found.above += bend.max(0.0);
-            found.below += (-bend).max(0.0);
+    /// The samples of a line that the lanes of a column of blocks reach.
+    fn row(&self, column: usize, line: usize) -> Row {
+        let before = self.sun.slant * line.saturating_sub(1) as f64;
+        let start = self.start(column * ACROSS) + before - OVERLAP;
+        let last = (self.sun.size[1] as i64 - 3).max(-1);
+        let first = (start.floor() as i64 - 1).clamp(-1, last);
+        let heights: [f64; WIDTH] = std::array::from_fn(|at| self.at(line, first + at as i64));
+        let mut bends = [0.0; WIDTH];
+        for (bend, of) in bends[1..].iter_mut().zip(heights.windows(3)) {
+            *bend = 2.0 * of[1] - of[0] - of[2];
         }
-        found
+        Row { first, heights, bends }
     }
 
-    /// The ground of a lane between a line and the next.
-    fn strip(&self, lane: usize, line: usize) -> Strip {
+    /// The squares between two lines, from the first sample of the second one on.
+    fn squares(&self, [one, two]: [&Row; 2]) -> [Square; WIDTH] {
         let slant = self.sun.slant;
         let (is_main, limit) = (self.sun.flipped[0] == self.sun.flipped[1], self.sun.fall * LESS);
-        let [[start, _], [_, end]] = [line, line + 1].map(|line| self.sides(lane, line));
-        let last = self.sun.size[1] as i64 - 2;
-        let square = |place: f64| (place.floor() as i64).clamp(0, last);
-        let mut strip = Strip { falls: true, ends_falling: true, above: 0.0 };
-        for place in square(start)..=square(end) {
-            let [a, b] = [0, 1].map(|step| self.at(line, place + step));
-            let [c, d] = [0, 1].map(|step| self.at(line + 1, place + step));
+        let mut squares = [Square::default(); WIDTH];
+        let beside = (two.first - one.first) as usize;
+        let ([above, bends], [below, other_bends]) =
+            ([&one.heights[beside..], &one.bends[beside..]], [&two.heights[..], &two.bends]);
+        for at in 0..WIDTH - 1 - beside {
+            let [a, b, c, d] = [above[at], above[at + 1], below[at], below[at + 1]];
             // The slopes away from the light of the triangle that rays leave last, and the other's.
             let [last, first] = if is_main {
                 [c - a + slant * (d - c), d - b + slant * (b - a)]
             } else {
                 [d - b + slant * (d - c), c - a + slant * (b - a)]
             };
-            strip.falls &= first.min(last) >= limit;
-            // Rays that come from the square beside it meet only the last one, if it is the main
-            // diagonal that parts them.
-            let from_beside = !is_main && place > square(start);
-            strip.ends_falling &= last >= limit && !(from_beside && first < limit);
-            let bend = self.bend(line, place).max(self.bend(line + 1, place)).max(0.0);
-            strip.above = strip.above.max(((first - last).max(0.0) + slant * bend) / 4.0);
+            let falls = first.min(last) >= limit;
+            let bend = bends[at].max(other_bends[at]).max(0.0);
+            squares[at] = Square {
+                falls,
+                ends_falling: [last >= limit, if is_main { last >= limit } else { falls }],
+                above: ((first - last).max(0.0) + slant * bend) / 4.0,
+            };
         }
-        strip
+        squares
+    }
+
+    /// The ground at a line where a lane begins there.
+    fn line(&self, start: f64, row: &Row) -> Line {
+        let last = self.sun.size[1] as f64 - 1.0;
+        let ends = [start - OVERLAP, start + 1.0 / LANES as f64 + OVERLAP];
+        let within = ends.map(|end| end.clamp(0.0, last));
+        let places = within.map(|end| end as i64);
+        let side = |side: usize| {
+            let [one, other] = [0, 1].map(|step| row.of(&row.heights, places[side] + step));
+            one + (other - one) * (within[side] - places[side] as f64)
+        };
+        let [start, end] = ends;
+        let sample = places[1] as f64;
+        // A lane is narrower than a square.
+        let bend = if start <= sample && sample <= end {
+            row.of(&row.bends, places[1]) * (end - start) / 4.0
+        } else {
+            0.0
+        };
+        Line {
+            places,
+            sides: [0, 1].map(side),
+            above: bend.max(0.0),
+            below: (-bend).max(0.0),
+            inside: start >= 0.0 && end <= last,
+        }
+    }
+}
+
+/// A lane as far as it has been swept.
+#[derive(Clone, Copy)]
+struct Lane {
+    /// Where it starts at the first line.
+    start: f64,
+    /// The first line after which it is in the field, and the last.
+    first: usize,
+    end: usize,
+    before: Line,
+    highest: [f64; 2],
+    surely: f64,
+    is_lit: bool,
+    /// The highest ground before each of the last lines, as far as none has risen.
+    past: [[f64; 2]; LINES],
+    even: usize,
+}
+
+impl Lane {
+    fn new(ground: &Ground<'_>, lane: usize) -> Self {
+        let [lines, places] = ground.sun.size;
+        let start = ground.start(lane);
+        let from = |place: f64| (place - start) / ground.sun.slant.max(1e-9);
+        Self {
+            start,
+            first: (from(-1.0 - OVERLAP).floor() - 1.0).max(0.0) as usize,
+            end: (from(places as f64 + OVERLAP).ceil().max(0.0) as usize + 1).min(lines - 1),
+            before: Line::default(),
+            highest: [0.0; 2],
+            surely: 0.0,
+            is_lit: true,
+            past: [[0.0; 2]; LINES],
+            even: 0,
+        }
+    }
+
+    /// Goes on from a line to the next, whose samples are given.
+    fn step(
+        &mut self,
+        ground: &Ground<'_>,
+        margin: f64,
+        line: usize,
+        next: &Row,
+        squares: &[Square; WIDTH],
+    ) -> Cell {
+        let slant = ground.sun.slant;
+        let here = ground.line(self.start + slant * (line + 1) as f64, next);
+        let before = std::mem::replace(&mut self.before, here);
+        let last = ground.sun.size[1] as i64 - 2;
+        let [start, end] = [before.places[0], here.places[1]].map(|place| place.min(last));
+        let first = (start - next.first) as usize;
+        let mut strip = squares[first];
+        let mut ends_falling = strip.ends_falling[0];
+        for square in &squares[first + 1..=(end - next.first) as usize] {
+            strip.falls &= square.falls;
+            ends_falling &= square.ends_falling[1];
+            strip.above = strip.above.max(square.above);
+        }
+        let Square { falls, above, .. } = strip;
+        let past = self.highest;
+        self.past[line % LINES] = past;
+        self.even = if falls { (self.even + 1).min(LINES) } else { usize::from(ends_falling) };
+        if before.inside {
+            self.surely = self.surely.max(before.sides[0].min(before.sides[1]) - before.below);
+        }
+        for side in 0..2 {
+            let highest = &mut self.highest[side];
+            *highest = highest.max(here.sides[side] + here.above);
+            if !falls {
+                let most = here.sides[side].max(before.sides[side]);
+                *highest = highest.max(most + here.above.max(before.above) + above);
+            }
+        }
+        let is_lit = self.is_lit && falls;
+        // The highest ground only rises, so the earliest of the lines decides.
+        self.is_lit = is_lit
+            || self.even > 0 && {
+                let past = self.past[(line + 1 - self.even) % LINES];
+                (0..2).all(|side| past[side] + margin <= here.sides[side] - here.below)
+            };
+        let bound = |highest: [f64; 2]| (highest[0].max(highest[1]) + margin) as f32;
+        let high = bound(self.highest);
+        // If the ground has dipped at most, a point above all ground before it is above this, too.
+        let before_it = if falls || ends_falling { bound(past) } else { high };
+        let low = (self.surely - margin).max(0.0) as f32;
+        Cell { is_lit, low, high: before_it, highest: high }
     }
 }
 
@@ -390,49 +508,53 @@ impl Shades {
         self.memory[to] = cells.packed();
     }
 
-    /// Sweeps the lanes of a column of blocks.
+    /// Sweeps the lanes of a column of blocks, line by line.
     fn sweep(&mut self, ground: &Ground<'_>, column: usize) {
         let sun = self.sun;
+        let margin = ground.field.unit() * f64::from(u16::MAX) + sun.fall * sun.size[0] as f64;
+        let margin = MARGIN * margin;
+        let mut lanes: [Lane; ACROSS] =
+            std::array::from_fn(|lane| Lane::new(ground, column * ACROSS + lane));
+        // Lanes begin the earlier and end the earlier, the farther aside they start.
+        let [first, end] = [lanes[ACROSS - 1].first, lanes[0].end];
+        let mut before = ground.row(column, first);
+        // The highest ground up to the line after each.
+        let mut highs = [0.0_f32; MAX_SAMPLES as usize];
+        let mut highest = 0.0_f32;
         for row in 0..sun.rows(0) {
+            let mut cells = Cells::NONE;
+            for line in row * SIDE..(row + 1) * SIDE {
+                if (first..end).contains(&line) {
+                    let next = ground.row(column, line + 1);
+                    let squares = ground.squares([&before, &next]);
+                    for (number, lane) in lanes.iter_mut().enumerate() {
+                        if !(lane.first..lane.end).contains(&line) {
+                            continue;
+                        }
+                        if line == lane.first {
+                            let start = lane.start + sun.slant * line as f64;
+                            lane.before = ground.line(start, &before);
+                            lane.highest = lane.before.sides.map(|side| side + lane.before.above);
+                        }
+                        let found = lane.step(ground, margin, line, &next, &squares);
+                        highest = highest.max(found.highest);
+                        cells.low = cells.low.min(found.low);
+                        if !found.is_lit {
+                            cells.lit &= !bit(line, number / LANES);
+                            cells.high = cells.high.max(found.high);
+                        }
+                    }
+                    before = next;
+                }
+                highs[line] = highest;
+            }
             if let Some(at) = sun.index(0, row, column) {
-                self.memory[at] = Cells::NONE.packed();
+                let first = (row * SIDE).min(sun.size[0]);
+                let lower = highs[..first].partition_point(|high| *high < cells.low);
+                cells.reach = ((first - lower) as u32 + 2).min(ENDLESS);
+                self.memory[at] = cells.packed();
             }
         }
-        // The highest ground up to the line after each.
-        let mut highs = [0.0; MAX_SAMPLES as usize];
-        for lane in column * SIDE * LANES..(column + 1) * SIDE * LANES {
-            sweep_lane(ground, lane, |line, cell| {
-                highs[line] = cell.highest.max(highs[line]);
-                self.add(line, lane / LANES, cell);
-            });
-        }
-        for line in 1..highs.len() {
-            highs[line] = highs[line].max(highs[line - 1]);
-        }
-        for row in 0..sun.rows(0) {
-            let Some(at) = sun.index(0, row, column) else {
-                continue;
-            };
-            let mut cells = Cells::of(self.memory[at]);
-            let first = (row * SIDE).min(sun.size[0]);
-            let lower = highs[..first].partition_point(|high| *high < cells.low);
-            cells.reach = ((first - lower) as u32 + 2).min(ENDLESS);
-            self.memory[at] = cells.packed();
-        }
-    }
-
-    /// Adds what a lane has found at a line to a cell.
-    fn add(&mut self, line: usize, lane: usize, found: Cell) {
-        let Some(at) = self.sun.index(0, line / SIDE, lane / SIDE) else {
-            return;
-        };
-        let mut cells = Cells::of(self.memory[at]);
-        cells.low = cells.low.min(found.low);
-        if !found.is_lit {
-            cells.lit &= !bit(line, lane);
-            cells.high = cells.high.max(found.high);
-        }
-        self.memory[at] = cells.packed();
     }
 
     /// The address of the first block.
@@ -444,57 +566,6 @@ impl Shades {
     #[cfg(test)]
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.memory)
-    }
-}
-
-/// Sweeps a lane, and hands out each of its cells.
-fn sweep_lane(ground: &Ground<'_>, lane: usize, mut add: impl FnMut(usize, Cell)) {
-    let sun = ground.sun;
-    let [lines, places] = sun.size;
-    // The first line after which it is in the field, and the last.
-    let from = |place: f64| (place - ground.start(lane)) / sun.slant.max(1e-9);
-    let first = (from(-1.0 - OVERLAP).floor() - 1.0).max(0.0) as usize;
-    let end = (from(places as f64 + OVERLAP).ceil().max(0.0) as usize + 1).min(lines - 1);
-    if first >= end {
-        return;
-    }
-    let margin = MARGIN * (ground.field.unit() * f64::from(u16::MAX) + sun.fall * lines as f64);
-    let mut before = ground.line(lane, first);
-    let mut highest = before.sides.map(|side| side + before.above);
-    let bound = |highest: [f64; 2]| (highest[0].max(highest[1]) + margin) as f32;
-    let mut surely = 0.0_f64;
-    let mut is_lit = true;
-    // The highest ground before each of the last lines, as far as none has risen.
-    let mut past = [[0.0; 2]; LINES];
-    let mut even = 0;
-    for line in first..end {
-        let here = ground.line(lane, line + 1);
-        let Strip { falls, ends_falling, above } = ground.strip(lane, line);
-        past[line % LINES] = highest;
-        even = if falls { (even + 1).min(LINES) } else { usize::from(ends_falling) };
-        if before.inside {
-            surely = surely.max(before.sides[0].min(before.sides[1]) - before.below);
-        }
-        for side in 0..2 {
-            let highest = &mut highest[side];
-            *highest = highest.max(here.sides[side] + here.above);
-            if !falls {
-                let most = here.sides[side].max(before.sides[side]);
-                *highest = highest.max(most + here.above.max(before.above) + above);
-            }
-        }
-        let cell = is_lit && falls;
-        is_lit = cell
-            || (0..even).any(|back| {
-                let past = past[(line - back) % LINES];
-                (0..2).all(|side| past[side] + margin <= here.sides[side] - here.below)
-            });
-        before = here;
-        let high = bound(highest);
-        // If the ground has dipped at most, a point above all ground before it is above this, too.
-        let before_it = if falls || ends_falling { bound(past[line % LINES]) } else { high };
-        let low = (surely - margin).max(0.0) as f32;
-        add(line, Cell { is_lit: cell, low, high: before_it, highest: high });
     }
 }
 
