@@ -31,7 +31,7 @@ pub const LAKES: f64 = 480.0;
 /// Haze, which leaves half of the light at 28 km.
 pub const HAZE: Fog = Fog { colour: HORIZON, density: 2.5e-5 };
 /// Octaves of noise, the last one about two samples large.
-const OCTAVES: u32 = 9;
+const OCTAVES: usize = 9;
 /// What an octave's place is turned and scaled by, so that lattices don't coincide.
 const TURNED: DMat2 = DMat2::from_cols_array(&[1.6, 1.2, -1.2, 1.6]);
 
@@ -111,9 +111,11 @@ pub fn field(squares: u32) -> HeightField {
     let side = squares + 1;
     let half = f64::from(squares) / 2.0;
     let mut metres = Vec::with_capacity((side * side) as usize);
+    let mut cells = Cells::default();
     for row in 0..side {
         for column in 0..side {
-            metres.push(height(DVec2::new(f64::from(column) - half, f64::from(row) - half)));
+            let place = DVec2::new(f64::from(column), f64::from(row)) - half;
+            metres.push(height(place, &mut cells));
         }
     }
     let colours = colours([side; 2], &metres, STEP, |height| height);
@@ -168,11 +170,11 @@ fn colour(height: f64, slope: f64, grain: f64) -> [u8; 3] {
 
 /// The height of a place, whose unit is the distance between samples. An octave is the lower, the
 /// steeper the octaves before it are there (Quilez, Elevated, 2008).
-fn height(place: DVec2) -> f64 {
+fn height(place: DVec2, cells: &mut Cells) -> f64 {
     let mut place = place / LARGEST;
     let (mut sum, mut slope, mut share) = (0.0, DVec2::ZERO, 1.0);
-    for octave in 0..OCTAVES {
-        let (value, steepness) = noise(place, octave);
+    for (octave, cell) in cells.iter_mut().enumerate() {
+        let (value, steepness) = noise(place, octave as u32, cell);
         slope += steepness;
         sum += share * value / (1.0 + slope.length_squared());
         share *= 0.5;
@@ -181,15 +183,26 @@ fn height(place: DVec2) -> f64 {
     SUMMITS * sum
 }
 
+/// For each octave, the corner and the numbers of the lattice's cell that the last place was in.
+/// Most places of a row are in the same one as the place before.
+type Cells = [Option<([i32; 2], [f64; 4])>; OCTAVES];
+
 /// Noise from 0 to 1, and its slope.
-fn noise(place: DVec2, octave: u32) -> (f64, DVec2) {
+fn noise(place: DVec2, octave: u32, cell: &mut Option<([i32; 2], [f64; 4])>) -> (f64, DVec2) {
     let corner = place.floor();
     let part = place - corner;
     let ease = part * part * part * (part * (part * 6.0 - 15.0) + 10.0);
     let rise = 30.0 * part * part * (part * (part - 2.0) + 1.0);
     let (x, y) = (corner.x as i32, corner.y as i32);
-    let at = |x: i32, y: i32| lattice(x as u32, y as u32, octave);
-    let [a, b, c, d] = [at(x, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)];
+    let [a, b, c, d] = match *cell {
+        Some((of, numbers)) if of == [x, y] => numbers,
+        _ => {
+            let at = |x: i32, y: i32| lattice(x as u32, y as u32, octave);
+            let numbers = [at(x, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)];
+            *cell = Some(([x, y], numbers));
+            numbers
+        }
+    };
     let twist = a - b - c + d;
     let value = a + (b - a) * ease.x + (c - a) * ease.y + twist * ease.x * ease.y;
     let slope = rise * DVec2::new(b - a + twist * ease.y, c - a + twist * ease.x);

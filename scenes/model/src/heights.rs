@@ -198,12 +198,14 @@ impl HeightField {
 
     /// The height of a sample, in units; of the next one at the edge if it is beyond that.
     #[must_use]
+    #[inline]
     pub fn sample(&self, column: i64, row: i64) -> u16 {
         self.heights[self.index(column, row)]
     }
 
     /// The colour of a sample, in the same way.
     #[must_use]
+    #[inline]
     pub fn colour(&self, column: i64, row: i64) -> [u8; 3] {
         self.colours[self.index(column, row)]
     }
@@ -215,6 +217,7 @@ impl HeightField {
         HeightSample { height: self.sample(column, row), colour: self.colour(column, row) }
     }
 
+    #[inline]
     fn index(&self, column: i64, row: i64) -> usize {
         let within = |at: i64, count: u32| at.clamp(0, i64::from(count) - 1) as usize;
         within(row, self.rows) * self.columns as usize + within(column, self.columns)
