@@ -523,7 +523,8 @@ impl Shades {
         let mut highest = 0.0_f32;
         for row in 0..sun.rows(0) {
             let mut cells = Cells::NONE;
-            for line in row * SIDE..(row + 1) * SIDE {
+            let lines = row * SIDE..(row + 1) * SIDE;
+            for (line, high) in lines.clone().zip(&mut highs[lines]) {
                 if (first..end).contains(&line) {
                     let next = ground.row(column, line + 1);
                     let squares = ground.squares([&before, &next]);
@@ -546,7 +547,7 @@ impl Shades {
                     }
                     before = next;
                 }
-                highs[line] = highest;
+                *high = highest;
             }
             if let Some(at) = sun.index(0, row, column) {
                 let first = (row * SIDE).min(sun.size[0]);
