@@ -50,11 +50,13 @@ impl FrameTimes {
     pub fn new(inspection: &Inspection) -> Result<Self, InspectError> {
         let file: TimelineFile =
             serde_json::from_slice(inspection.timeline).map_err(InspectError::Timeline)?;
-        let transfers = || file.spes.iter().flat_map(|spe| &spe.transfers);
+        let mut spes = file.spes;
+        spes.iter_mut().for_each(keep_last_frame);
+        let transfers = || spes.iter().flat_map(|spe| &spe.transfers);
         let start = transfers().map(|transfer| transfer.start).min();
         let start = start.unwrap_or(0);
         let end = transfers().map(|transfer| transfer.end).max();
-        let mut spus: Vec<Spu> = file.spes.iter().map(|spe| Spu::new(spe, start)).collect();
+        let mut spus: Vec<Spu> = spes.iter().map(|spe| Spu::new(spe, start)).collect();
         let (first, distance) = inspection.costs;
         for (number, unit) in inspection.units.iter().enumerate() {
             let address = first + number as u64 * distance;
@@ -85,6 +87,16 @@ impl FrameTimes {
     /// All tiles of all SPUs.
     pub fn tiles(&self) -> impl Iterator<Item = &TracedTile> {
         self.spus.iter().flat_map(|spu| &spu.tiles)
+    }
+}
+
+/// Removes the transfers of earlier frames. Each frame begins with the transfer of its record,
+/// which is at the same address for all.
+fn keep_last_frame(spe: &mut SpeTimeline) {
+    let begins = |transfer: &TransferEntry| (transfer.kind.clone(), transfer.ea);
+    if let Some(first) = spe.transfers.first().map(begins) {
+        let last = spe.transfers.iter().rposition(|transfer| begins(transfer) == first);
+        spe.transfers.drain(..last.unwrap_or(0));
     }
 }
 
@@ -151,6 +163,7 @@ mod tests {
             costs: (4096, 128),
             tile_maps: &[],
             pixel_maps: &[],
+            earlier_frames: 0,
             statistics: &[],
             program: &[],
             timeline: TIMELINE.as_bytes(),
