@@ -23,8 +23,8 @@ pub struct TracedTile {
     pub number: u32,
     /// The ticks of the decrementer that it took.
     pub ticks: u32,
-    /// Whether the SPUs knew what its rays had crossed before, and traced only those that a change
-    /// had reached.
+    /// Whether the SPUs had a record of what its rays had crossed before, and traced only those
+    /// that a change had reached.
     pub had_paths: bool,
 }
 

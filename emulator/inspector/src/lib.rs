@@ -88,7 +88,7 @@ pub struct PixelMap {
     pub remark: String,
     /// The figures, row by row.
     pub values: Vec<u8>,
-    /// What each figure stands for, if the figures are no numbers.
+    /// The meanings of the figures 0, 1 and so on, if they are no numbers.
     pub kinds: &'static [&'static str],
 }
 

@@ -26,7 +26,7 @@ const REACHED: u8 = 4;
 /// Which of the picture's pixels the last frame has written.
 pub type Written = Arc<Mutex<Vec<bool>>>;
 
-/// A framebuffer in memory that tells which pixels a frame has written.
+/// A framebuffer in memory with the pixels that its last frame has written.
 pub struct Watched {
     memory: Memory,
     written: Written,

@@ -258,8 +258,7 @@ fn with_moving_meshes_and_portals() {
     assert!(retained > 0.2, "{retained}");
 }
 
-/// Antialiased tiles keep their samples. What a change reaches is traced with all that it may be
-/// compared with.
+/// Antialiased tiles keep their samples, and are traced as a whole where a change reaches them.
 #[test]
 fn antialiased() {
     let whitted = render_options(Model::Whitted);
