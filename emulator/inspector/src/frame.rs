@@ -147,8 +147,10 @@ mod tests {
 
     const TIMELINE: &str = r#"{"cycles_per_second":3192000000,"spes":[
         {"sleeps":[{"start":0,"end":90,"cause":"mailbox"},{"start":1150,"end":1170,"cause":"tag"}],
-         "transfers":[{"start":100,"end":400,"kind":"get","ea":64,"bytes":128},
-                      {"start":1160,"end":1300,"kind":"get","ea":64,"bytes":256},
+         "transfers":[{"start":10,"end":20,"kind":"get","ea":64,"bytes":128},
+                      {"start":30,"end":60,"kind":"put","ea":4096,"bytes":128},
+                      {"start":100,"end":400,"kind":"get","ea":64,"bytes":128},
+                      {"start":1160,"end":1300,"kind":"get","ea":256,"bytes":256},
                       {"start":1300,"end":1500,"kind":"put","ea":4096,"bytes":128}]},
         {"sleeps":[],
          "transfers":[{"start":900,"end":1100,"kind":"put","ea":4224,"bytes":128}]}]}"#;
@@ -183,7 +185,7 @@ mod tests {
     fn the_tiles_of_a_unit_end_when_its_costs_are_sent() {
         let units = units(2);
         let times = FrameTimes::new(&inspection(&units)).unwrap();
-        // The frame begins with the first command, in cycle 100, and ends in cycle 1500.
+        // After an earlier frame, it begins in cycle 100, and ends in cycle 1500.
         assert_eq!(times.cycles, 1400);
         let found = times.tiles().map(|tile| (tile.number, tile.spu, tile.start, tile.end));
         let expected = [(2, 0, 600, 1000), (0, 0, 1000, 1200), (1, 1, 0, 800)];

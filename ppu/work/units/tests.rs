@@ -178,7 +178,9 @@ fn costs_come_from_last_frame() {
         units.lines().iter().map(|unit| cost(unit, TILE_KEPT | 2)).collect();
     costs.learn(geometry, units.lines(), &costs_of_units);
     in_part.clear(geometry);
-    [4, 7].map(|tile| in_part.set(tile, true));
+    for tile in [4, 7] {
+        in_part.set(tile, true);
+    }
     assert_eq!(costs.of(geometry, &in_part), Some(&[10, 11, 12, 13, 2, 15, 50, 17][..]));
     let other = Geometry { width: 32, height: 256 };
     assert_eq!(costs.of(other, &in_part), None);
