@@ -1,5 +1,6 @@
 //! `cellray render --inspect`: traces one frame in simulated time, and writes the page about it.
 
+mod kept;
 mod maps;
 
 use std::fs;
@@ -13,9 +14,9 @@ use protocol::layout::{TILE_HEIGHT, TILE_WIDTH};
 use super::Outcome;
 use super::options::Options;
 use super::run::{Prepared, report_run, traced};
-use crate::Report;
 use crate::engine::TracedTile;
-use crate::framebuffer::{Geometry, Memory, PictureFile, write_labelled};
+use crate::framebuffer::{Geometry, PictureFile, write_labelled};
+use crate::{Report, Scene};
 
 /// libspe2's recording of this run. If there is none, runs this program again with the environment
 /// that makes libspe2 record, and exits with that run's status: it has reported all errors.
@@ -27,23 +28,35 @@ pub fn record() -> Result<Recording, Box<dyn std::error::Error>> {
     std::process::exit(status.code().unwrap_or(1))
 }
 
-/// Traces a frame, writes its picture to `out` if there is one, and the page to `to`.
+/// Where the picture goes, if it is written, and the page.
+pub struct Output<'a> {
+    pub picture: Option<&'a Path>,
+    pub page: &'a Path,
+}
+
+/// Traces a frame, after one of the scene `before` if there is one, and writes the page.
 pub fn frame(
     options: &Options,
     recording: &Recording,
     prepared: &Prepared,
+    before: Option<&Scene>,
     geometry: Geometry,
-    out: Option<&Path>,
-    to: &Path,
+    Output { picture: out, page: to }: Output<'_>,
 ) -> Outcome {
     let Prepared { program, source, scene, labels, .. } = prepared;
     if let Some(out) = out {
         PictureFile::new(out, geometry)?;
     }
-    let framebuffer = Box::new(Memory::new(geometry)?);
-    let (engine, report) = traced(options, prepared, framebuffer, |traced| traced > 0)?;
+    let written = kept::Written::default();
+    let framebuffer = Box::new(kept::Watched::new(geometry, written.clone())?);
+    // The SPUs keep records of their rays from the first change on.
+    let earlier = before.map_or(Vec::new(), |before| vec![before, scene, before]);
+    let (engine, report) = traced(options, prepared, framebuffer, &earlier, |traced| traced > 0)?;
     let picture = engine.picture().ok_or("the picture can't be read back")?;
     let traced = engine.traced_units().ok_or("the SPUs were lost")?;
+    if traced.units.is_empty() {
+        return Err("--before is the same scene, so that the SPUs had nothing to trace".into());
+    }
     // libspe2 writes the last figures when the contexts are destroyed.
     drop(engine);
     let (timeline, profile) = (recording.timeline()?, recording.profile()?);
@@ -52,15 +65,19 @@ pub fn frame(
     }
 
     let settings = options.settings(*program);
-    let samples = maps::of_samples(
-        settings,
-        source,
-        scene.render_options(),
-        (program, geometry),
-        report.rays.samples,
-    )?;
-    // Without skipping, no tile is traced alone.
-    let tile_maps = match options.no_skip {
+    let pixel_map = match before {
+        Some(_) => Some(kept::map(geometry, &written, &traced, report.tiles.causes)),
+        None => maps::of_samples(
+            settings,
+            source,
+            scene.render_options(),
+            (program, geometry),
+            report.rays.samples,
+        )?,
+    };
+    // Without skipping, no tile is traced alone. After another frame, tiles are not traced as a
+    // whole.
+    let tile_maps = match options.no_skip || before.is_some() {
         true => Vec::new(),
         false => maps::of_tiles(settings, scene, geometry)?,
     };
@@ -75,7 +92,8 @@ pub fn frame(
         units: &units.collect::<Vec<_>>(),
         costs: (traced.costs, traced.distance),
         tile_maps: &tile_maps,
-        pixel_maps: samples.as_slice(),
+        pixel_maps: pixel_map.as_slice(),
+        earlier_frames: earlier.len(),
         statistics: &statistics_of(&report),
         program: program.image(),
         timeline: &timeline,

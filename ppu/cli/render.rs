@@ -98,6 +98,12 @@ pub struct Arguments {
     /// SPUs, and cycles by function and by source line.
     #[arg(long, help_heading = "Output", value_name = "PAGE", conflicts_with_all = ["corners", "watch"])]
     inspect: Option<PathBuf>,
+    /// Scene of the frame before the inspected one
+    ///
+    /// The page then has a map of the pixels that were kept of it, and of the reasons for which
+    /// others were traced.
+    #[arg(long, help_heading = "Output", value_name = "SCENE", requires = "inspect")]
+    before: Option<PathBuf>,
 }
 
 impl Arguments {
@@ -272,5 +278,9 @@ fn inspected(arguments: &Arguments, page: &Path) -> Outcome {
     let prepared = run::prepare(&arguments.options, false)?;
     let geometry = arguments.geometry(prepared.scene.view())?;
     let picture = arguments.picture()?;
-    inspect::frame(&arguments.options, &recording, &prepared, geometry, picture.as_deref(), page)
+    let before = arguments.before.as_deref();
+    let before =
+        before.map(|path| prepared.of_same_options(&arguments.options, path)).transpose()?;
+    let output = inspect::Output { picture: picture.as_deref(), page };
+    inspect::frame(&arguments.options, &recording, &prepared, before.as_ref(), geometry, output)
 }

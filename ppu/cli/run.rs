@@ -30,6 +30,15 @@ pub struct Prepared {
     pub labels: Labels,
 }
 
+impl Prepared {
+    /// Another scene, prepared with the same options.
+    pub fn of_same_options(&self, options: &Options, path: &Path) -> Result<Scene, Failure> {
+        let mut source = meshes::load(path)?.scene;
+        options.camera.place(&mut source.view);
+        Ok(Scene::new(&source, options.render_options(&source, false), &self.program)?)
+    }
+}
+
 /// Loads a scene, prepares it for the SPU program that the options select, and prints notes about
 /// shapes that will not be drawn, or not as requested. With `corners`, primary rays go through the
 /// corners of pixels.
@@ -88,15 +97,17 @@ pub fn frames(
     (framebuffer, what): (Box<dyn Framebuffer>, &str),
     enough: impl FnMut(usize) -> bool,
 ) -> Outcome {
-    let (_, report) = traced(options, prepared, framebuffer, enough)?;
+    let (_, report) = traced(options, prepared, framebuffer, &[], enough)?;
     report_run(options, what, report)
 }
 
 /// Traces frames until `enough` returns true for their number. The engine still has the last one.
+/// Frames of the scenes `before` precede them, and are not reported.
 pub fn traced(
     options: &Options,
     Prepared { program, scene, .. }: &Prepared,
     framebuffer: Box<dyn Framebuffer>,
+    before: &[&Scene],
     mut enough: impl FnMut(usize) -> bool,
 ) -> Result<(Engine, Report), Failure> {
     let Geometry { width, height } = framebuffer.geometry();
@@ -104,6 +115,9 @@ pub fn traced(
     let formulations = program.formulations().ok();
     let mut report =
         Report::new(scene.file(), (width, height), options.spus).intersected(scene, formulations);
+    for scene in before {
+        engine.render(scene, &mut |_| ())?;
+    }
     let mut progress = Progress::start();
     while !enough(report.frames as usize) {
         let number = report.frames as usize + 1;

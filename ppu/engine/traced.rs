@@ -1,6 +1,6 @@
 //! The work units of the last frame, for those who look into it.
 
-use protocol::layout::{TILE_FLAGS, UnitCost};
+use protocol::layout::{TILE_FLAGS, TILE_HAS_PATHS, UnitCost};
 use zerocopy::big_endian::U32;
 
 use super::Engine;
@@ -23,6 +23,9 @@ pub struct TracedTile {
     pub number: u32,
     /// The ticks of the decrementer that it took.
     pub ticks: u32,
+    /// Whether the SPUs had a record of what its rays had crossed before, and traced only those
+    /// that a change had reached.
+    pub had_paths: bool,
 }
 
 impl Engine {
@@ -37,6 +40,7 @@ impl Engine {
             let tile = |(tile, ticks): (&U32, &U32)| TracedTile {
                 number: tile.get() & !TILE_FLAGS,
                 ticks: ticks.get() & !TILE_FLAGS,
+                had_paths: tile.get() & TILE_HAS_PATHS != 0,
             };
             tiles.map(tile).collect()
         });

@@ -42,6 +42,13 @@ impl Memory {
         self.frame.rows().flat_map(move |row| row.chunks_exact(4).map(pixel))
     }
 
+    /// Whether each pixel was written since the last call, row by row from the top. The SPUs write
+    /// 0 to its byte without a channel, where this leaves another value.
+    pub fn take_written(&mut self) -> Vec<bool> {
+        let pixels = self.frame.rows_mut().flat_map(|row| row.as_chunks_mut::<4>().0);
+        pixels.map(|pixel| std::mem::replace(&mut pixel[0], u8::MAX) == 0).collect()
+    }
+
     /// A copy of the frame as a picture.
     pub fn rgb(&self) -> RgbImage {
         let Geometry { width, height } = self.frame.geometry();

@@ -110,7 +110,7 @@ impl Plan {
         let tiles_left = self.missing.numbers().len() as u64;
         self.spheres.cull(scene.spheres(), &projection, policy.skip, policy.record);
         let tiles = tiles.numbers();
-        let costs = self.costs.of(geometry);
+        let costs = self.costs.of(geometry, in_part);
         self.cuts = Cuts::of_frame(scene, camera, geometry);
         if self.cuts.is_some() && policy.split == Split::Units {
             let across = geometry.width.div_ceil(TILE_WIDTH);

@@ -219,32 +219,53 @@ fn run_length(tiles: usize, spus: u32) -> usize {
     tiles.div_ceil((UNITS_AN_SPU * spus) as usize).clamp(1, UNIT_TILES as usize)
 }
 
-/// The time that each tile of a picture took when it was last traced, in decrementer ticks.
+/// A tile that may be kept counts for this part of its cost at least, since a change may reach it.
+const PART_OF_KEPT: u32 = 8;
+
+/// The time that each tile of a picture took, in decrementer ticks.
 #[derive(Default)]
 pub struct TileCosts {
     geometry: Option<Geometry>,
-    ticks: Vec<u32>,
+    /// When it was last traced as a whole.
+    whole: Vec<u32>,
+    /// In the last frame that had it, in which it may have been kept.
+    last: Vec<u32>,
+    expected: Vec<u32>,
 }
 
 impl TileCosts {
-    /// The costs of a picture's tiles, if they are known.
-    #[must_use]
-    pub fn of(&self, geometry: Geometry) -> Option<&[u32]> {
-        (self.geometry == Some(geometry)).then_some(&self.ticks)
+    /// The costs to be expected of a picture's tiles, if they are known. Of the tiles `in_part`
+    /// those are traced that a change reaches: mostly the same as in the last frame.
+    pub fn of(&mut self, geometry: Geometry, in_part: &TileSet) -> Option<&[u32]> {
+        let Self { whole, last, expected, .. } = self;
+        expected.clear();
+        expected.extend((0..).zip(whole).zip(last).map(|((tile, whole), last)| {
+            match in_part.contains(tile) {
+                true => (*last).max(*whole / PART_OF_KEPT),
+                false => *whole,
+            }
+        }));
+        (self.geometry == Some(geometry)).then_some(&self.expected)
     }
 
-    /// Records the costs of a frame's units. Those of tiles that were not traced as a whole are
-    /// no guide to the next time.
+    /// Records the costs of a frame's units.
     pub fn learn(&mut self, geometry: Geometry, units: &[WorkUnit], costs: &[UnitCost]) {
         if self.geometry != Some(geometry) {
             self.geometry = Some(geometry);
-            self.ticks.clear();
-            self.ticks.resize(tile_count(geometry) as usize, 0);
+            for ticks in [&mut self.whole, &mut self.last] {
+                ticks.clear();
+                ticks.resize(tile_count(geometry) as usize, 0);
+            }
         }
         for (tile, cost) in tiles_and_costs(units, costs) {
-            if let Some(known) = self.ticks.get_mut(tile as usize).filter(|_| cost & TILE_KEPT == 0)
-            {
-                *known = cost & !TILE_FLAGS;
+            let (tile, ticks) = (tile as usize, cost & !TILE_FLAGS);
+            let (Some(whole), Some(last)) = (self.whole.get_mut(tile), self.last.get_mut(tile))
+            else {
+                continue;
+            };
+            *last = ticks;
+            if cost & TILE_KEPT == 0 {
+                *whole = ticks;
             }
         }
     }

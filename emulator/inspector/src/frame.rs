@@ -50,11 +50,13 @@ impl FrameTimes {
     pub fn new(inspection: &Inspection) -> Result<Self, InspectError> {
         let file: TimelineFile =
             serde_json::from_slice(inspection.timeline).map_err(InspectError::Timeline)?;
-        let transfers = || file.spes.iter().flat_map(|spe| &spe.transfers);
+        let mut spes = file.spes;
+        spes.iter_mut().for_each(keep_last_frame);
+        let transfers = || spes.iter().flat_map(|spe| &spe.transfers);
         let start = transfers().map(|transfer| transfer.start).min();
         let start = start.unwrap_or(0);
         let end = transfers().map(|transfer| transfer.end).max();
-        let mut spus: Vec<Spu> = file.spes.iter().map(|spe| Spu::new(spe, start)).collect();
+        let mut spus: Vec<Spu> = spes.iter().map(|spe| Spu::new(spe, start)).collect();
         let (first, distance) = inspection.costs;
         for (number, unit) in inspection.units.iter().enumerate() {
             let address = first + number as u64 * distance;
@@ -85,6 +87,16 @@ impl FrameTimes {
     /// All tiles of all SPUs.
     pub fn tiles(&self) -> impl Iterator<Item = &TracedTile> {
         self.spus.iter().flat_map(|spu| &spu.tiles)
+    }
+}
+
+/// Removes the transfers of earlier frames. Each frame begins with the transfer of its record,
+/// which is at the same address for all.
+fn keep_last_frame(spe: &mut SpeTimeline) {
+    let begins = |transfer: &TransferEntry| (transfer.kind.clone(), transfer.ea);
+    if let Some(first) = spe.transfers.first().map(begins) {
+        let last = spe.transfers.iter().rposition(|transfer| begins(transfer) == first);
+        spe.transfers.drain(..last.unwrap_or(0));
     }
 }
 
@@ -135,8 +147,10 @@ mod tests {
 
     const TIMELINE: &str = r#"{"cycles_per_second":3192000000,"spes":[
         {"sleeps":[{"start":0,"end":90,"cause":"mailbox"},{"start":1150,"end":1170,"cause":"tag"}],
-         "transfers":[{"start":100,"end":400,"kind":"get","ea":64,"bytes":128},
-                      {"start":1160,"end":1300,"kind":"get","ea":64,"bytes":256},
+         "transfers":[{"start":10,"end":20,"kind":"get","ea":64,"bytes":128},
+                      {"start":30,"end":60,"kind":"put","ea":4096,"bytes":128},
+                      {"start":100,"end":400,"kind":"get","ea":64,"bytes":128},
+                      {"start":1160,"end":1300,"kind":"get","ea":256,"bytes":256},
                       {"start":1300,"end":1500,"kind":"put","ea":4096,"bytes":128}]},
         {"sleeps":[],
          "transfers":[{"start":900,"end":1100,"kind":"put","ea":4224,"bytes":128}]}]}"#;
@@ -151,6 +165,7 @@ mod tests {
             costs: (4096, 128),
             tile_maps: &[],
             pixel_maps: &[],
+            earlier_frames: 0,
             statistics: &[],
             program: &[],
             timeline: TIMELINE.as_bytes(),
@@ -170,7 +185,7 @@ mod tests {
     fn the_tiles_of_a_unit_end_when_its_costs_are_sent() {
         let units = units(2);
         let times = FrameTimes::new(&inspection(&units)).unwrap();
-        // The frame begins with the first command, in cycle 100, and ends in cycle 1500.
+        // After an earlier frame, it begins in cycle 100, and ends in cycle 1500.
         assert_eq!(times.cycles, 1400);
         let found = times.tiles().map(|tile| (tile.number, tile.spu, tile.start, tile.end));
         let expected = [(2, 0, 600, 1000), (0, 0, 1000, 1200), (1, 1, 0, 800)];

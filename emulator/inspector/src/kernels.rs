@@ -31,7 +31,12 @@ pub(crate) fn section(inspection: &Inspection) -> Result<Markup, InspectError> {
         section {
             h2 { "Where the cycles went" }
             p {
-                (grouped(whole)) " cycles of all SPUs together, waits for a frame included. A function's "
+                (grouped(whole)) " cycles of all SPUs together, waits for a frame included. "
+                @if inspection.earlier_frames > 0 {
+                    "They include those of the frames before, of which there were "
+                    (inspection.earlier_frames) ". "
+                }
+                "A function's "
                 "cycles are its own, without those of functions that it calls. "
                 @if has_lines { "A click on a function shows its most expensive source lines." }
                 @else { "The SPU program has no line table, so there are no source lines; one that an "

@@ -40,6 +40,8 @@ pub struct Inspection<'a> {
     pub tile_maps: &'a [TileMap],
     /// Maps of the pixels.
     pub pixel_maps: &'a [PixelMap],
+    /// The number of frames that the same SPUs traced before. Timeline and profile have them too.
+    pub earlier_frames: usize,
     /// The statistics of the frame: a name, a figure, and what it means.
     pub statistics: &'a [Statistic],
     /// The SPU program's ELF file.
@@ -86,6 +88,8 @@ pub struct PixelMap {
     pub remark: String,
     /// The figures, row by row.
     pub values: Vec<u8>,
+    /// The meanings of the figures 0, 1 and so on, if they are no numbers.
+    pub kinds: &'static [&'static str],
 }
 
 /// One figure of the frame.

@@ -65,7 +65,7 @@ pub(crate) fn section(inspection: &Inspection, times: &FrameTimes) -> Result<Mar
             @for map in &maps { p class={ "remark for-" (map.id) } { (legend(map, times)) " " (map.remark) } }
             @for map in by_pixel {
                 p class={ "remark for-" (map.id) } {
-                    (scale(u64::from(map.values.iter().copied().max().unwrap_or(0)))) " " (map.remark)
+                    (pixel_legend(map)) " " (map.remark)
                 }
             }
         }
@@ -88,7 +88,7 @@ fn pixels(map: &PixelMap, (width, height): (u32, u32)) -> Result<Vec<u8>, image:
     let picture = RgbImage::from_fn(width, height, |x, y| {
         let at = y as usize * width as usize + x as usize;
         let value = map.values.get(at).copied().unwrap_or(0);
-        let Color { r, g, b } = heat(u64::from(value), most);
+        let Color { r, g, b } = pixel_colour(map, value, most);
         Rgb([r, g, b])
     });
     let mut bytes = Vec::new();
@@ -157,6 +157,31 @@ fn maps(more: &[TileMap]) -> Vec<Map<'_>> {
 fn heat(value: u64, most: u64) -> Color {
     let part = value as f64 / most.max(1) as f64;
     colorous::INFERNO.eval_continuous(part.clamp(0.0, 1.0))
+}
+
+/// The colour of a value of a map of pixels.
+fn pixel_colour(map: &PixelMap, value: u8, most: u64) -> Color {
+    match map.kinds {
+        [] => heat(u64::from(value), most),
+        kinds => heat(u64::from(value), kinds.len() as u64),
+    }
+}
+
+/// The colours of a map of pixels: of kinds with the share of the picture that each has.
+fn pixel_legend(map: &PixelMap) -> Markup {
+    let share = |kind: usize| {
+        let of_kind = map.values.iter().filter(|value| usize::from(**value) == kind).count();
+        100.0 * of_kind as f64 / map.values.len().max(1) as f64
+    };
+    if map.kinds.is_empty() {
+        return scale(u64::from(map.values.iter().copied().max().unwrap_or(0)));
+    }
+    html! {
+        @for (kind, name) in map.kinds.iter().enumerate().filter(|(kind, _)| share(*kind) > 0.0) {
+            span.swatch style=(format!("background:#{:x}", pixel_colour(map, kind as u8, 0))) {}
+            " " (name) " " (format!("({:.1} %)", share(kind))) ". "
+        }
+    }
 }
 
 fn colour(map: &Map, value: u64, most: u64) -> String {

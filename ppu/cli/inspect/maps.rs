@@ -108,6 +108,7 @@ pub fn of_samples(
             render_options.contrast
         ),
         values,
+        kinds: &[],
     }))
 }
 

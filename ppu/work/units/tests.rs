@@ -157,7 +157,8 @@ fn slices_are_consecutive_and_equal_in_tiles() {
 fn costs_come_from_last_frame() {
     let geometry = Geometry { width: 256, height: 32 };
     let mut costs = TileCosts::default();
-    assert_eq!(costs.of(geometry), None);
+    let mut in_part = TileSet::default();
+    assert_eq!(costs.of(geometry, &in_part), None);
     let mut units = Units::default();
     let cost =
         |unit: &WorkUnit, ticks: u32| UnitCost { count: unit.count, ticks: [ticks.into(); 31] };
@@ -165,14 +166,24 @@ fn costs_come_from_last_frame() {
     let costs_of_units: Vec<UnitCost> =
         (10..).zip(units.lines()).map(|(ticks, unit)| cost(unit, ticks)).collect();
     costs.learn(geometry, units.lines(), &costs_of_units);
-    assert_eq!(costs.of(geometry), Some(&[10, 11, 12, 13, 14, 15, 16, 17][..]));
-    units.split(&[2, 6], 1, Split::Units, costs.of(geometry));
+    assert_eq!(costs.of(geometry, &in_part), Some(&[10, 11, 12, 13, 14, 15, 16, 17][..]));
+    units.split(&[2, 6], 1, Split::Units, costs.of(geometry, &in_part));
     assert_eq!(units.lines().iter().flat_map(tiles).collect::<Vec<_>>(), [6, 2]);
     let costs_of_units = [cost(&units.lines()[0], 50), UnitCost::new_zeroed()];
     costs.learn(geometry, units.lines(), &costs_of_units);
-    assert_eq!(costs.of(geometry), Some(&[10, 11, 12, 13, 14, 15, 50, 17][..]));
+    assert_eq!(costs.of(geometry, &in_part), Some(&[10, 11, 12, 13, 14, 15, 50, 17][..]));
+    // Tiles that were kept keep their costs, unless they may be kept again.
+    units.split(&[3, 4], 1, Split::Units, None);
+    let costs_of_units: Vec<UnitCost> =
+        units.lines().iter().map(|unit| cost(unit, TILE_KEPT | 2)).collect();
+    costs.learn(geometry, units.lines(), &costs_of_units);
+    in_part.clear(geometry);
+    for tile in [4, 7] {
+        in_part.set(tile, true);
+    }
+    assert_eq!(costs.of(geometry, &in_part), Some(&[10, 11, 12, 13, 2, 15, 50, 17][..]));
     let other = Geometry { width: 32, height: 256 };
-    assert_eq!(costs.of(other), None);
+    assert_eq!(costs.of(other, &in_part), None);
 }
 
 /// In units that go upwards each tile is above the one before, and costly units are first.

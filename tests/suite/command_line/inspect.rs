@@ -66,6 +66,42 @@ fn page_shows_each_tile_in_each_map_and_is_repeatable() {
     }
 }
 
+/// The map of kept pixels adds up to what the SPUs count, and only some are traced.
+#[test]
+fn page_shows_why_pixels_were_traced_after_another_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    let [before, scene, page] =
+        ["before.nff", "scene.nff", "page.html"].map(|name| folder.path().join(name));
+    let text = fs::read_to_string("scenes/whitted16.nff").unwrap();
+    let moved = text.replace("s -6.4 3.4 1.3 1.3", "s -6.4 3.5 1.3 1.3");
+    assert!(moved != text);
+    fs::write(&before, moved).unwrap();
+    fs::write(&scene, text).unwrap();
+    let [before, scene, page] = [&before, &scene, &page].map(|path| path.to_str().unwrap());
+    let traced = |more: &[&str]| {
+        let start = ["render", scene, "--size", "256x96", "--before", before, "--inspect", page];
+        good(&[&start[..], more].concat());
+        let text = fs::read_to_string(page).unwrap();
+        let share = |kind: &str| -> f64 {
+            let share = all(&text, &format!("</span> {kind} ("), " %)");
+            share.first().map_or(0.0, |share| share.parse().unwrap())
+        };
+        let kept = share("kept");
+        let reached = share("traced: a ray had crossed a changed object's place");
+        let unrecorded = share("traced: no record of what the tile's rays had crossed");
+        let unknown = share("traced: the framebuffer's contents were not known");
+        assert!((kept + reached + unrecorded + unknown - 100.0).abs() < 0.3, "{kept} {reached}");
+        let rays = all(&text, "<tr><td>eye</td><td class=\"n\">", "</td>")[0];
+        let rays = 100.0 * rays.parse::<f64>().unwrap() / (256.0 * 96.0);
+        assert!((100.0 - kept - rays).abs() < 0.1, "{kept} {rays}");
+        (kept, reached, unknown)
+    };
+    bad(&["render", scene, "--before", scene, "--inspect", page], &["--before is the same scene"]);
+    let (kept, reached, unknown) = traced(&["--antialias", "1"]);
+    assert!(kept > 20.0 && reached > 20.0 && unknown == 0.0, "{kept} {reached} {unknown}");
+    assert_eq!(traced(&["--antialias", "1", "--retrace"]), (0.0, 0.0, 100.0));
+}
+
 #[test]
 fn one_frame_is_inspected_and_unwritable_page_is_named() {
     let scene = "scenes/paper13.nff";

@@ -1,6 +1,7 @@
 //! A changed world is traced exactly like a new scene with the same content, byte for byte.
 
 use cellray::game::{DVec3, Fog, LightId, MeshId, Model, RenderOptions, Shader};
+use cellray::scene::Samples;
 use rand::seq::IndexedRandom as _;
 use randomness::rounds;
 
@@ -255,6 +256,26 @@ fn by_whitteds_model_with_mirrors_and_glass() {
 fn with_moving_meshes_and_portals() {
     let retained = play(7, render_options(Model::Whitted), 2, true, true);
     assert!(retained > 0.2, "{retained}");
+}
+
+/// Antialiased tiles keep their samples, and are traced as a whole where a change reaches them.
+#[test]
+fn antialiased() {
+    let whitted = render_options(Model::Whitted);
+    for (seed, samples, contrast) in [(8, Samples::Four, 8), (9, Samples::Sixteen, 64)] {
+        let retained = play(seed, RenderOptions { samples, contrast, ..whitted }, 1, false, false);
+        assert!(retained > 0.2, "{retained}");
+    }
+    play(11, RenderOptions { samples: Samples::Four, ..whitted }, 2, true, true);
+}
+
+/// Every pixel has samples, and none a first ray.
+#[test]
+fn with_samples_everywhere() {
+    let whitted = render_options(Model::Whitted);
+    let options = RenderOptions { samples: Samples::Four, contrast: 0, ..whitted };
+    let retained = play(10, options, 1, true, false);
+    assert!(retained > 0.1, "{retained}");
 }
 
 #[test]
