@@ -206,17 +206,37 @@ pub fn measure_all(
     Ok(rows.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
 }
 
+/// Rejects unknown programs, and scenes that can't be loaded.
+///
+/// # Errors
+///
+/// Names the first of them.
+pub fn check(scenes: &[String], programs: &[String]) -> Result<(), PictureError> {
+    for program in programs {
+        formulations(program)?;
+    }
+    for scene in scenes {
+        Subject::load(scene)?;
+    }
+    Ok(())
+}
+
+/// What the program of this name is built of.
+fn formulations(program: &str) -> Result<Formulations, PictureError> {
+    let named = programs().into_iter().find(|(name, _)| *name == program);
+    named.map(|(_, formulations)| formulations).ok_or_else(|| {
+        let known = programs().map(|(name, _)| name).join(", ");
+        format!("there is no program {program}; the programs are {known}").into()
+    })
+}
+
 /// Traces a scene with a program.
 ///
 /// # Errors
 ///
 /// As for [`measure_all`].
 pub fn measure(scene: &str, program: &str, size: (u32, u32)) -> Result<PictureRow, PictureError> {
-    let named = programs().into_iter().find(|(name, _)| *name == program);
-    let (_, formulations) = named.ok_or_else(|| {
-        let known = programs().map(|(name, _)| name).join(", ");
-        format!("there is no program {program}; the programs are {known}")
-    })?;
+    let formulations = formulations(program)?;
     let subject = Subject::load(scene)?;
     let model = subject.model(Pixels::PLAIN);
     let (reference, _) = model.trace(&subject.scene, size)?;

@@ -180,7 +180,7 @@ impl Order {
         self.kernels && (self.only.is_empty() || self.only.iter().any(|asked| asked == name))
     }
 
-    /// Rejects unknown names.
+    /// Rejects unknown names, before minutes of measuring.
     fn check(&self) -> Result<(), RunError> {
         let spheres = SPHERES.iter().map(|formulation| formulation.name);
         let triangles = TRIANGLES.iter().map(|formulation| formulation.name);
@@ -190,7 +190,7 @@ impl Order {
             Some(name) => {
                 Err(RunError::Formulation { name: name.clone(), known: known.join(", ") })
             }
-            None => Ok(()),
+            None => Ok(pictures::check(&self.scenes, &self.programs)?),
         }
     }
 }
