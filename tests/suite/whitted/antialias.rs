@@ -10,7 +10,7 @@ use twins::sample_rays::sample;
 use crate::prelude::*;
 use crate::whitted::frame::{Frame, WHITTED, options};
 
-const SIZE: (u32, u32) = (485, 270);
+const SIZE: (u32, u32) = (293, 158);
 const MIN_CONTRAST: u8 = 16;
 const TILE: (u32, u32) = (64, 16);
 
@@ -187,7 +187,7 @@ fn is_explained(found: Rgb<u8>, light: &Light, (x, y): (u32, u32), side: u32) ->
 /// them moves the pixel by a sixteenth of the edge.
 #[test]
 fn sixteen_samples_differ_only_near_edges() {
-    let (width, height) = (1280, 720);
+    let (width, height) = (640, 360);
     let scene = nff_scene("whitted16.nff");
     let probe = Probe::new(&scene, width, height, &options(WHITTED)).unwrap();
     let light: &Light = &|x, y| probe.light(x, y);

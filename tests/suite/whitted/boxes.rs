@@ -6,7 +6,7 @@ use cellray::statistics::Generation;
 use crate::prelude::*;
 use crate::whitted::frame::{Frame, WHITTED, compared};
 
-const SIZE: (u32, u32) = (320, 180);
+const SIZE: (u32, u32) = (224, 126);
 
 /// All shapes with nodes, among them triangles that are in spheres if that is faster.
 const SCENES: [&str; 3] = ["mirrors.nff", "glass.nff", "still-life.nff"];
@@ -26,7 +26,7 @@ fn boxes_change_no_byte() {
         let [by_boxes, by_all] =
             [Skip::Misses, Skip::Nothing].map(|skip| traced(name, BOXES, skip));
         let rays: u64 = by_all.generations().iter().map(|it| it.rays).sum();
-        assert!(rays > 150_000, "{name}: {rays}");
+        assert!(rays > 2 * u64::from(SIZE.0 * SIZE.1), "{name}: {rays}");
         let differ = by_boxes.picture.pixels().zip(by_all.picture.pixels());
         let differ = differ.filter(|(one, other)| one != other).count();
         assert_eq!(differ, 0, "{name}");

@@ -108,7 +108,7 @@ fn damaged_files_do_no_harm() {
         for of in ["program".to_owned(), format!("objects/00-{name}.o")] {
             let whole = build(name, &of);
             let mut seed = 1u32;
-            for _ in 0..4000 {
+            for _ in 0..randomness::rounds(1000) {
                 let mut damaged = whole.clone();
                 for _ in 0..4 {
                     seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);

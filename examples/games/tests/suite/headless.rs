@@ -15,8 +15,7 @@ use games::{GAMES, find};
 use rand::seq::IndexedRandom as _;
 use rand::{Rng as _, SeedableRng as _};
 use rand_xoshiro::Xoshiro256PlusPlus;
-
-const FRAMES: u64 = 300;
+use randomness::rounds;
 
 /// A player who presses anything, switches to other windows, and has a pad that disconnects.
 struct Anyone {
@@ -128,8 +127,9 @@ fn played(name: &str, seed: u64, player: u64) -> u64 {
     let mut clock = AnyTime(Xoshiro256PlusPlus::seed_from_u64(player + 1000));
     let mut player = Anyone { rng: Xoshiro256PlusPlus::seed_from_u64(player), begun: false };
     let mut session = session(name, seed, (32, 18));
-    let report = session.run(Some(FRAMES), &mut clock, &mut player).unwrap();
-    assert_eq!(u64::from(report.frames), FRAMES);
+    let frames = rounds(75);
+    let report = session.run(Some(u64::from(frames)), &mut clock, &mut player).unwrap();
+    assert_eq!(report.frames, frames);
     session.world().checksum()
 }
 

@@ -65,7 +65,9 @@ fn edges_of_doubles() {
     let mut rng = ChaCha8Rng::seed_from_u64(12);
     let states = states(&mut rng, 40, edge);
     for op in OPERATIONS {
-        let failures = compare_all(&mut rng, 40, &states, |rng| Some(vec![instruction(rng, op)?]));
+        let failures = compare_all(&mut rng, rounds(10) as usize, &states, |rng| {
+            Some(vec![instruction(rng, op)?])
+        });
         assert!(failures.iter().all(|&[host, wasm]| host > 0 && wasm == 0), "{op:?}");
     }
 }
@@ -92,7 +94,7 @@ fn both_precisions_in_turn() {
         Op::Lqd,
         Op::Ai,
     ];
-    compare_all(&mut rng, 150, &states, |rng| {
+    compare_all(&mut rng, rounds(40) as usize, &states, |rng| {
         let length = rng.random_range(3..12);
         (0..length)
             .map(|_| {

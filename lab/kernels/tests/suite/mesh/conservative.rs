@@ -300,7 +300,7 @@ fn boxes_of_hit_triangles_are_kept() {
     for fan in FANS {
         for axes in AXES.into_iter().filter(|axes| *axes != Axes::Tiny) {
             let mut sum = Outcome::default();
-            for _ in 0..2000 {
+            for _ in 0..randomness::rounds(500) {
                 let scale = magnitude(SCALES, &mut random);
                 let rays = packet(fan, axes, scale, &mut random);
                 let those = there(&rays);

@@ -37,7 +37,7 @@ fn all_three_find_the_hits_of_every_ray_with_every_triangle() {
     let mut random = random();
     let mut bench = Bench::new();
     let (mut rays, mut hits, mut tested, mut rows_tested) = (0, 0, 0, 0);
-    for _ in 0..1500 {
+    for _ in 0..randomness::rounds(375) {
         let (block, packets) = aimed(&mut random);
         let windows: Vec<_> = packets.iter().map(mesh_window).collect();
         let runs: Vec<_> = (0..packets.len())
