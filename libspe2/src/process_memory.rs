@@ -42,6 +42,10 @@ impl MainMemory for ProcessMemory {
         POOL.with(|scratch| scratch.store(ea, from)).map_err(|ea| MemoryFault { ea })
     }
 
+    fn read_pieces(&self, pieces: &[(u64, usize)], into: &mut [u8]) -> Result<(), MemoryFault> {
+        POOL.with(|scratch| scratch.fetch_pieces(pieces, into)).map_err(|ea| MemoryFault { ea })
+    }
+
     fn write_pieces(&self, pieces: &[(u64, usize)], from: &[u8]) -> Result<(), MemoryFault> {
         POOL.with(|scratch| scratch.store_pieces(pieces, from)).map_err(|ea| MemoryFault { ea })
     }
@@ -151,6 +155,9 @@ mod tests {
                 .map(|(at, piece)| (ea + (2 * at * length) as u64, piece.len()))
                 .collect();
             ProcessMemory.write_pieces(&pieces, &sent).unwrap();
+            let mut back = vec![0; sent.len()];
+            ProcessMemory.read_pieces(&pieces, &mut back).unwrap();
+            assert!(back == sent, "{length}");
             let found: Vec<u8> = there
                 .chunks(2 * length)
                 .flat_map(|part| &part[..length.min(part.len())])
@@ -168,6 +175,8 @@ mod tests {
         let fault = ProcessMemory.write_pieces(&pieces, &[1; 48]).unwrap_err();
         assert_eq!(fault.ea, 8);
         assert_eq!(there[..16], [1; 16]);
+        let fault = ProcessMemory.read_pieces(&pieces, &mut [0; 48]).unwrap_err();
+        assert_eq!(fault.ea, 8);
     }
 
     #[test]

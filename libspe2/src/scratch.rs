@@ -95,6 +95,52 @@ impl Scratch {
         Ok(())
     }
 
+    /// Copies to the pieces of `into`, each from its address, with as few system calls as possible.
+    /// The error is the first address that can't be read, as far as it is known.
+    pub(crate) fn fetch_pieces(
+        &mut self,
+        pieces: &[(u64, usize)],
+        into: &mut [u8],
+    ) -> Result<(), u64> {
+        let mut rest = into;
+        for pieces in pieces.chunks(MAX_PIECES) {
+            let length = pieces.iter().map(|(_, length)| length).sum();
+            let (mut part, others) = rest.split_at_mut(length);
+            rest = others;
+            if self.fetch_at_once(pieces, part) {
+                continue;
+            }
+            // They are tried again piece by piece, to find the piece that fails.
+            for &(ea, length) in pieces {
+                let (piece, others) = part.split_at_mut(length);
+                self.fetch(ea, piece)?;
+                part = others;
+            }
+        }
+        Ok(())
+    }
+
+    /// Copies to the pieces of `into` with one system call. Returns whether that was possible.
+    fn fetch_at_once(&mut self, pieces: &[(u64, usize)], into: &mut [u8]) -> bool {
+        if into.len() > SCRATCH {
+            return false;
+        }
+        let sources = vectors(pieces);
+        // SAFETY: the kernel checks the range of each source and ends at the first that can't be
+        // read. There are at least `sources` of them.
+        let read = unsafe {
+            libc::pwritev(self.file.as_raw_fd(), sources.as_ptr(), pieces.len() as i32, 0)
+        };
+        if usize::try_from(read) != Ok(into.len()) {
+            return false;
+        }
+        // SAFETY: the mapping has SCRATCH bytes, `into` has no more and does not overlap it.
+        unsafe {
+            ptr::copy_nonoverlapping(self.mapping.as_ptr(), into.as_mut_ptr(), into.len());
+        }
+        true
+    }
+
     /// Copies the pieces of `from`, each to its address, with as few system calls as possible. The
     /// error is the first address that can't be written, as far as it is known.
     pub(crate) fn store_pieces(&mut self, pieces: &[(u64, usize)], from: &[u8]) -> Result<(), u64> {
@@ -122,12 +168,7 @@ impl Scratch {
         unsafe {
             ptr::copy_nonoverlapping(from.as_ptr(), self.mapping.as_ptr(), from.len());
         }
-        let nowhere = libc::iovec { iov_base: ptr::null_mut(), iov_len: 0 };
-        let mut targets = [nowhere; MAX_PIECES];
-        for (target, &(ea, length)) in targets.iter_mut().zip(pieces) {
-            target.iov_base = ptr::with_exposed_provenance_mut(ea as usize);
-            target.iov_len = length;
-        }
+        let targets = vectors(pieces);
         // SAFETY: the kernel checks the range of each target and ends at the first that can't be
         // written. The program asked its MFC to write there. There are at least `targets` of them.
         let written = unsafe {
@@ -163,6 +204,17 @@ impl Drop for Scratch {
         // SAFETY: the mapping belongs to this value and has SCRATCH bytes.
         unsafe { libc::munmap(self.mapping.as_ptr().cast(), SCRATCH) };
     }
+}
+
+/// The addresses and lengths of at most [`MAX_PIECES`] pieces for a system call.
+fn vectors(pieces: &[(u64, usize)]) -> [libc::iovec; MAX_PIECES] {
+    let nowhere = libc::iovec { iov_base: ptr::null_mut(), iov_len: 0 };
+    let mut vectors = [nowhere; MAX_PIECES];
+    for (vector, &(ea, length)) in vectors.iter_mut().zip(pieces) {
+        vector.iov_base = ptr::with_exposed_provenance_mut(ea as usize);
+        vector.iov_len = length;
+    }
+    vectors
 }
 
 /// Splits `length` bytes at `ea` into pieces that fit a scratch buffer, each with its range in the

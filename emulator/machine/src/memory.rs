@@ -45,6 +45,17 @@ pub trait MainMemory: Send + Sync {
     fn read(&self, ea: u64, into: &mut [u8]) -> Result<(), MemoryFault>;
     /// Copies `from` to `ea`. If it fails, a part may have been written.
     fn write(&self, ea: u64, from: &[u8]) -> Result<(), MemoryFault>;
+    /// Copies to the pieces of `into`, each from the address that `pieces` has for it beside its
+    /// length.
+    fn read_pieces(&self, pieces: &[(u64, usize)], into: &mut [u8]) -> Result<(), MemoryFault> {
+        let mut rest = into;
+        for &(ea, length) in pieces {
+            let (piece, others) = rest.split_at_mut(length);
+            self.read(ea, piece)?;
+            rest = others;
+        }
+        Ok(())
+    }
     /// Copies the pieces of `from` in their order, each to the address that `pieces` has for it
     /// beside its length. If it fails, a part may have been written.
     fn write_pieces(&self, pieces: &[(u64, usize)], from: &[u8]) -> Result<(), MemoryFault> {

@@ -266,7 +266,7 @@ impl Interconnect {
     pub(crate) fn read(&self, ea: u64, into: &mut [u8]) -> Result<(), MemoryFault> {
         let members = read_lock(&self.members);
         self.await_parcels(&members, ea, into.len());
-        let _whole = self.lines.read(ea, into.len());
+        let _whole = self.lines.read(&[(ea, into.len())]);
         self.memory.read(ea, into)
     }
 
@@ -302,6 +302,16 @@ impl Interconnect {
         self.is_memory(ea, length) && self.memory.accepts_write(ea, length as usize)
     }
 
+    /// Reads the pieces of `into`, each from its address, from main memory.
+    pub(crate) fn read_pieces(
+        &self,
+        pieces: &[(u64, usize)],
+        into: &mut [u8],
+    ) -> Result<(), MemoryFault> {
+        let _whole = self.lines.read(pieces);
+        self.memory.read_pieces(pieces, into)
+    }
+
     /// Writes the pieces of `from`, each to its address, to main memory.
     pub(crate) fn write_pieces(
         &self,
@@ -324,7 +334,7 @@ impl Interconnect {
         if place.is_some() {
             self.reserves_places.store(true, SeqCst);
         }
-        let _whole = self.lines.read(ea, LINE);
+        let _whole = self.lines.read(&[(ea, LINE)]);
         // Set before the line is read, because who writes it by another address holds another lock:
         // a write that comes too late to be read must find the reservation.
         own.set(ea, place);

@@ -155,9 +155,9 @@ pub(crate) struct LineLocks {
 }
 
 impl LineLocks {
-    /// Waits until the bytes may be read. Until the result is dropped, they are not written.
-    pub(crate) fn read(&self, ea: u64, length: usize) -> Held<'_> {
-        self.hold(false, Lines::of([(ea, length)].into_iter()))
+    /// Waits until the pieces may be read. Until the result is dropped, they are not written.
+    pub(crate) fn read(&self, pieces: &[(u64, usize)]) -> Held<'_> {
+        self.hold(false, Lines::of(pieces.iter().copied()))
     }
 
     /// Waits until the pieces may be written. Until the result is dropped, they are neither read
@@ -272,7 +272,7 @@ mod tests {
     fn long_waiting_access_precedes_later_ones() {
         let locks = LineLocks::default();
         let line = [(0x1000, 128)];
-        let reading = locks.read(0x1000, 128);
+        let reading = locks.read(&[(0x1000, 128)]);
         let arrive = |writes| lock(&locks.state).arrive(writes, lines(&line));
         let (write, later_read) = (arrive(true), arrive(false));
         let held_up = || {

@@ -10,7 +10,7 @@ use super::command::{Command, ELEMENT, MAX_TRANSFER, Operation, Order};
 use super::error::DmaError;
 use super::interconnect::{Interconnect, Unit};
 use super::timing::{Movement, Peer, PendingWrite, Piece};
-use crate::local_store::LocalStore;
+use crate::local_store::{self, LocalStore};
 use crate::lock::lock;
 use crate::memory::{LINE, MemoryFault};
 
@@ -144,8 +144,11 @@ impl Queue {
         let is_writable = |ea, size| path.interconnect.is_writable_memory(ea, size);
         let elements = match command.operation {
             Operation::PutList => {
-                let elements = next_puts(&mut entry, &mut self.buffer, path, is_writable);
-                (entry.list_done == command.size).then_some(elements)?
+                let is_good = |element: &Command| is_writable(element.ea, element.size);
+                let elements = next_elements(&mut entry, &self.buffer, path, is_good);
+                (entry.list_done == command.size).then_some(())?;
+                copy_out(&elements, &mut self.buffer, path);
+                elements
             }
             Operation::Put if is_writable(command.ea, command.size) => {
                 let bytes = &mut self.buffer[..command.size as usize];
@@ -303,10 +306,14 @@ impl Put {
 fn run_list(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>) -> Result<RunOutcome, DmaError> {
     let list = entry.command;
     let mut pieces = Vec::new();
-    let mut may_join = list.operation == Operation::PutList;
+    let together = match list.operation {
+        Operation::PutList => put_together,
+        _ => get_together,
+    };
+    let mut may_join = true;
     while entry.list_done < list.size {
         if may_join {
-            may_join = put_together(entry, buffer, path, &mut pieces);
+            may_join = together(entry, buffer, path, &mut pieces);
             if entry.list_done == list.size {
                 break;
             }
@@ -327,13 +334,12 @@ fn run_list(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>) -> Result<RunO
     Ok(RunOutcome::Complete)
 }
 
-/// Passes the next elements of a list of puts, as many as fit the buffer, need no stall and have
-/// addresses that are `good`. Returns them, and leaves their bytes in the buffer.
-fn next_puts(
+/// Passes the next elements of a list, as many as fit the buffer, need no stall and are `good`.
+fn next_elements(
     entry: &mut Entry,
-    buffer: &mut [u8],
+    buffer: &[u8],
     path: Path<'_>,
-    good: impl Fn(u64, u32) -> bool,
+    good: impl Fn(&Command) -> bool,
 ) -> Vec<Command> {
     let mut elements = Vec::new();
     let mut length = 0;
@@ -341,18 +347,24 @@ fn next_puts(
         let Ok((element, false)) = entry.element(path) else {
             break;
         };
-        if !good(element.ea, element.size) {
+        length += element.size as usize;
+        if length > buffer.len() || !good(&element) {
             break;
         }
-        let Some(bytes) = buffer.get_mut(length..length + element.size as usize) else {
-            break;
-        };
-        path.local_store.read(element.lsa, bytes);
-        length += bytes.len();
         entry.pass(&element);
         elements.push(element);
     }
     elements
+}
+
+/// Copies the elements' bytes from local store to the buffer, one after the other.
+fn copy_out(elements: &[Command], buffer: &mut [u8], path: Path<'_>) {
+    let mut rest = buffer;
+    for element in elements {
+        let (bytes, others) = rest.split_at_mut(element.size as usize);
+        path.local_store.read(element.lsa, bytes);
+        rest = others;
+    }
 }
 
 /// The addresses and lengths of elements, and the sum of the lengths.
@@ -373,17 +385,59 @@ fn put_together(
     moved: &mut Vec<Piece>,
 ) -> bool {
     let mut ahead = *entry;
-    let is_memory = |ea, size| path.interconnect.is_memory(ea, size);
-    let elements = next_puts(&mut ahead, buffer, path, is_memory);
+    let is_good = |element: &Command| path.interconnect.is_memory(element.ea, element.size);
+    let elements = next_elements(&mut ahead, buffer, path, is_good);
+    copy_out(&elements, buffer, path);
     let (pieces, length) = addresses(&elements);
-    let written = path.interconnect.write_pieces(&pieces, &buffer[..length]);
-    if written.is_ok() {
-        *entry = ahead;
-        if path.moved.is_some() {
-            moved.extend(elements.iter().map(|element| path.piece(element, None)));
-        }
+    if path.interconnect.write_pieces(&pieces, &buffer[..length]).is_err() {
+        return false;
     }
-    written.is_ok()
+    *entry = ahead;
+    note_elements(&elements, path, moved);
+    true
+}
+
+/// The same for a list of gets.
+fn get_together(
+    entry: &mut Entry,
+    buffer: &mut [u8],
+    path: Path<'_>,
+    moved: &mut Vec<Piece>,
+) -> bool {
+    let mut ahead = *entry;
+    let list = entry.command;
+    // Bytes that arrive in the list itself change its later elements.
+    let is_good = |element: &Command| {
+        path.interconnect.is_memory(element.ea, element.size)
+            && is_apart((element.lsa, element.size), (list.ea as u32, list.size))
+    };
+    let elements = next_elements(&mut ahead, buffer, path, is_good);
+    let (pieces, length) = addresses(&elements);
+    if path.interconnect.read_pieces(&pieces, &mut buffer[..length]).is_err() {
+        return false;
+    }
+    *entry = ahead;
+    let mut rest = &buffer[..length];
+    for element in &elements {
+        let (bytes, others) = rest.split_at(element.size as usize);
+        path.local_store.write(element.lsa, bytes);
+        rest = others;
+    }
+    note_elements(&elements, path, moved);
+    true
+}
+
+/// Whether two areas of local store, which have an address and a size each, share no byte.
+fn is_apart((one, one_size): (u32, u32), (other, other_size): (u32, u32)) -> bool {
+    let distance = |from: u32, to: u32| to.wrapping_sub(from) & (local_store::SIZE - 1);
+    distance(one, other) >= one_size && distance(other, one) >= other_size
+}
+
+/// In simulated time: records what elements have moved.
+fn note_elements(elements: &[Command], path: Path<'_>, moved: &mut Vec<Piece>) {
+    if path.moved.is_some() {
+        moved.extend(elements.iter().map(|element| path.piece(element, None)));
+    }
 }
 
 /// The pieces that a command other than a list moves over the bus.
