@@ -28,20 +28,16 @@ pub fn record() -> Result<Recording, Box<dyn std::error::Error>> {
     std::process::exit(status.code().unwrap_or(1))
 }
 
-/// Where the picture goes, if it is written, and the page.
-pub struct Output<'a> {
-    pub picture: Option<&'a Path>,
-    pub page: &'a Path,
-}
-
-/// Traces a frame, after one of the scene `before` if there is one, and writes the page.
+/// Traces a frame, after one of the scene `before` if there is one, and writes its page, and its
+/// picture if that is asked for.
 pub fn frame(
     options: &Options,
     recording: &Recording,
     prepared: &Prepared,
     before: Option<&Scene>,
     geometry: Geometry,
-    Output { picture: out, page: to }: Output<'_>,
+    out: Option<&Path>,
+    to: &Path,
 ) -> Outcome {
     let Prepared { program, source, scene, labels, .. } = prepared;
     if let Some(out) = out {

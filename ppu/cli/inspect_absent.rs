@@ -6,6 +6,7 @@ use super::Outcome;
 use super::options::Options;
 use super::run::Prepared;
 use crate::framebuffer::Geometry;
+use crate::scene::Scene;
 
 /// The recording of a PC; never created here.
 pub enum Recording {}
@@ -20,6 +21,7 @@ pub fn frame(
     _: &Options,
     recording: &Recording,
     _: &Prepared,
+    _: Option<&Scene>,
     _: Geometry,
     _: Option<&Path>,
     _: &Path,

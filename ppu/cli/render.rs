@@ -281,6 +281,6 @@ fn inspected(arguments: &Arguments, page: &Path) -> Outcome {
     let before = arguments.before.as_deref();
     let before =
         before.map(|path| prepared.of_same_options(&arguments.options, path)).transpose()?;
-    let output = inspect::Output { picture: picture.as_deref(), page };
-    inspect::frame(&arguments.options, &recording, &prepared, before.as_ref(), geometry, output)
+    let (before, picture) = (before.as_ref(), picture.as_deref());
+    inspect::frame(&arguments.options, &recording, &prepared, before, geometry, picture, page)
 }
