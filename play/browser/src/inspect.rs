@@ -36,6 +36,7 @@ impl Tracer {
             costs: (timed.units.costs, timed.units.distance),
             tile_maps: &[],
             pixel_maps: &[],
+            earlier_frames: 0,
             statistics: &[],
             program: Program::tracer().image(),
             timeline: &serde_json::to_vec(&TimelineFile::new(CYCLES_PER_SECOND, &timeline))?,
