@@ -1,4 +1,4 @@
-//! A map of the pixels that a frame kept of the one before, and of the reasons why it traced others.
+//! A map of the pixels that a frame kept of the one before, and of why it traced the others.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
