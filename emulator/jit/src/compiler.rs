@@ -145,10 +145,11 @@ impl Compiler {
         self.context.func.signature = emit::unit_signature();
         let function = FunctionBuilder::new(&mut self.context.func, &mut self.builder);
         let way = (mode, tier);
-        let has_floats = Emitter::new(function, &trace, way, code.estimates, number, code.options)
-            .emit(&trace, module.target_config());
+        let has_fallback =
+            Emitter::new(function, &trace, way, code.estimates, number, code.options)
+                .emit(&trace, module.target_config());
         let entry = define(module, &mut self.context).ok()?;
-        Some(Unit { number, trace, mode, tier, has_floats, entry, code: Arc::clone(code) })
+        Some(Unit { number, trace, mode, tier, has_fallback, entry, code: Arc::clone(code) })
     }
 }
 

@@ -10,7 +10,8 @@ use crate::trace::MAX_STEPS;
 /// SPU's numbers as ordinary numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FloatMode {
-    /// The instructions that are computed in doubles.
+    /// The instructions that are computed in doubles. A load among them commits stores that it may
+    /// overlap beforehand. Other loads fail if they do overlap one.
     pub in_doubles: Steps,
     /// Whether they distinguish a sum that is exactly the largest number from one that exceeds it
     /// by less than a double's precision. This is slower still. Without it, a unit fails where the

@@ -35,8 +35,8 @@ pub struct Unit {
     pub(crate) trace: Trace,
     pub(crate) mode: FloatMode,
     pub(crate) tier: Tier,
-    /// Whether it contains arithmetic that may fail in singles.
-    pub(crate) has_floats: bool,
+    /// Whether it may fail less often in another mode.
+    pub(crate) has_fallback: bool,
     pub(crate) entry: *const u8,
     pub(crate) code: Arc<CodeCache>,
 }
@@ -77,10 +77,10 @@ impl Unit {
         self.tier
     }
 
-    /// Whether it contains arithmetic to which the [`FloatMode`] makes a difference.
+    /// Whether it contains instructions to which the [`FloatMode`] makes a difference.
     #[must_use]
-    pub fn has_floats(&self) -> bool {
-        self.has_floats
+    pub fn has_fallback(&self) -> bool {
+        self.has_fallback
     }
 
     pub(crate) fn entry(&self) -> *const u8 {

@@ -7,10 +7,19 @@ use spu_isa::Instruction;
 
 use super::Emitter;
 use super::commit::REVERSED_WORDS;
-use super::registers::Facts;
+use super::registers::{Facts, Id};
 
 /// The constants that `shufb` gives, indexed by the upper three bits of the control.
 const CONSTANTS: [u8; 16] = [0, 0, 0, 0, 0, 0, 0xff, 0x80, 0, 0, 0, 0, 0, 0, 0, 0];
+
+/// A control of `shufb` as the host needs it: its own controls for both operands, which give 0 for
+/// bytes from elsewhere, and the constants.
+#[derive(Clone, Copy)]
+pub(super) struct ShuffleControl {
+    from_a: Value,
+    from_b: Value,
+    constants: Value,
+}
 
 impl Emitter<'_> {
     pub(super) fn shuffle_bytes(&mut self, i: Instruction) {
@@ -20,26 +29,39 @@ impl Emitter<'_> {
             let shuffled = self.shuffle_by_constant(a, b, words);
             return self.set(i.rt, shuffled);
         }
-        let control = self.words(control);
+        let ShuffleControl { from_a, from_b, constants } = self.shuffle_control(control);
+        let from_a = self.b.ins().x86_pshufb(a, from_a);
+        let from_b = self.b.ins().x86_pshufb(b, from_b);
+        let bytes = self.b.ins().bor(from_a, from_b);
+        let bytes = self.b.ins().bor(bytes, constants);
+        self.set(i.rt, bytes);
+    }
+
+    /// The parts of a control that is not known when code is emitted.
+    pub(super) fn shuffle_control(&mut self, id: Id) -> ShuffleControl {
+        if let Some(parts) = self.node(id).shuffle_control {
+            return parts;
+        }
+        let control = self.words(id);
         // On the host, bytes within a word are in reverse order.
         let index = self.bits_of_bytes(I32X4, control, 0x1f);
         let flip = self.splat(0x0303_0303);
         let index = self.b.ins().bxor(index, flip);
         let special = self.bits_of_bytes(I32X4, control, 0x80);
         // For indices from 16 on, and for constants, the highest bit gets set, which gives 0.
-        let low = self.index(index, special);
+        let from_a = self.index(index, special);
         let flip = self.splat(0x1010_1010);
         let other = self.b.ins().bxor(index, flip);
-        let high = self.index(other, special);
+        let from_b = self.index(other, special);
         let kind = self.right(control, 5);
         let kind = self.bits_of_bytes(I8X16, kind, 7);
         let constants = self.constant_bytes(I8X16, CONSTANTS.to_vec());
         let constants = self.b.ins().x86_pshufb(constants, kind);
-        let from_a = self.b.ins().x86_pshufb(a, low);
-        let from_b = self.b.ins().x86_pshufb(b, high);
-        let bytes = self.b.ins().bor(from_a, from_b);
-        let bytes = self.b.ins().bor(bytes, constants);
-        self.set(i.rt, bytes);
+        let parts = ShuffleControl { from_a, from_b, constants };
+        if !self.in_side_exit {
+            self.node(id).shuffle_control = Some(parts);
+        }
+        parts
     }
 
     fn bits_of_bytes(&mut self, ty: Type, value: Value, bits: u8) -> Value {

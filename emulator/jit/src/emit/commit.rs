@@ -58,6 +58,8 @@ pub(super) struct Unverified {
     pub flags: Option<Value>,
     /// Not 0 if a watched quadword was accessed.
     pub watched: Option<Value>,
+    /// Whether a load was of a quadword for which a store is held back.
+    pub overlapping: Option<Value>,
     /// In doubles: a mask of lanes in which an estimate's operand was zero.
     pub zeros: Option<Value>,
 }
@@ -78,6 +80,7 @@ impl Emitter<'_> {
             failures.extend(uncertain);
         }
         self.find_stores_into_code(&mut failures);
+        failures.extend(self.unverified.overlapping);
         self.exit_if(&failures, Exit::FAILED);
         let watched: Vec<Value> = self.unverified.watched.into_iter().collect();
         self.exit_if(&watched, Exit::WATCHED);

@@ -53,7 +53,7 @@ impl Emitter<'_> {
     }
 
     pub(super) fn estimate_reciprocal(&mut self, i: Instruction) {
-        self.has_floats = true;
+        self.has_fallback = true;
         let x = self.lanes(I32X4, i.ra);
         let entries = self.look_up(x, self.estimates.reciprocal);
         let field = self.and(x, EXPONENT);
@@ -79,7 +79,7 @@ impl Emitter<'_> {
     }
 
     pub(super) fn estimate_reciprocal_root(&mut self, i: Instruction) {
-        self.has_floats = true;
+        self.has_fallback = true;
         let x = self.lanes(I32X4, i.ra);
         let entries = self.look_up(x, self.estimates.reciprocal_root);
         // Half the operand's exponent, rounded up, from 190.
@@ -111,7 +111,7 @@ impl Emitter<'_> {
 
     /// `fi`. An estimate's base is at least its step, so it gives no significand below one.
     pub(super) fn interpolate(&mut self, i: Instruction) {
-        self.has_floats = true;
+        self.has_fallback = true;
         let id = self.get(i.rb);
         let facts = self.facts(id);
         let (a, estimate) = (self.lanes(I32X4, i.ra), self.words(id));

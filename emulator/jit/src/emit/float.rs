@@ -21,7 +21,7 @@ pub(super) enum Compare {
 impl Emitter<'_> {
     /// `fa`, `fs`, `fm`, `fma`, `fms`, `fnms`.
     pub(super) fn arithmetic(&mut self, i: Instruction) {
-        self.has_floats = true;
+        self.has_fallback = true;
         if self.in_doubles {
             self.arithmetic_in_doubles(i);
         } else {

@@ -1,5 +1,6 @@
 //! Loads, stores, and the controls for inserting into a quadword with `shufb`.
 
+use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
 use spu_isa::{Instruction, LIMIT_MASK};
 
@@ -8,6 +9,9 @@ use super::registers::Id;
 use super::{Emitter, field};
 use crate::cpu::{WATCH_LOADS, WATCH_STORES};
 use crate::tables::TABLES;
+
+/// The most stores held back with which a load is compared. With more, a commit costs less.
+const MAX_COMPARED: usize = 4;
 
 const QUADWORD_MASK: u32 = LIMIT_MASK & !15;
 
@@ -140,17 +144,25 @@ impl Emitter<'_> {
 
     pub(super) fn load(&mut self, i: Instruction, address: Address) {
         self.watch(address, WATCH_LOADS);
-        let mut forwarded = None;
+        let (mut forwarded, mut others) = (None, Vec::new());
         for held in self.pending.iter().rev() {
             match held.address.key.overlap(address.key) {
-                Overlap::None => continue,
-                Overlap::Same => forwarded = Some(held.words),
-                Overlap::Perhaps => {}
+                Overlap::None => {}
+                Overlap::Same => {
+                    forwarded = Some(held.words);
+                    break;
+                }
+                Overlap::Perhaps => others.push(held.address.masked),
             }
-            if forwarded.is_none() {
-                self.commit();
-            }
-            break;
+        }
+        if !others.is_empty() && (self.in_doubles || others.len() > MAX_COMPARED) {
+            self.commit();
+            (forwarded, others) = (None, Vec::new());
+        }
+        for other in others {
+            self.has_fallback = true;
+            let same = self.b.ins().icmp(IntCC::Equal, other, address.masked);
+            self.unverified.overlapping = Some(self.or(self.unverified.overlapping, same));
         }
         let words = match forwarded {
             Some(words) => words,

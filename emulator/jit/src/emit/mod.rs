@@ -6,9 +6,13 @@
 //!
 //! **Commits.** The function holds back stores and writes no registers until a commit has checked
 //! everything since the last one: no float operation met numbers that the host treats differently,
-//! and no store hits the code of the trace itself. If a check fails, the function fails: it leaves
-//! the state of the last commit, and the interpreter continues from there. There is a commit at
-//! every exit, and before a load that a pending store might affect.
+//! no store hits the code of the trace itself, and no load was of a quadword for which a store is
+//! held back. If a check fails, the function fails: it leaves the state of the last commit, and
+//! the interpreter continues from there. There is a commit at every exit, and before loads that
+//! the [`FloatMode`] names.
+//!
+//! **Loops.** Before a loop begins, the function compares its code with local store, and prepares
+//! what the loop needs of registers that it never writes.
 //!
 //! Invariant: emitting a side exit doesn't change the emitter's state, because the trace continues
 //! from the state before the exit.
@@ -42,8 +46,8 @@ use crate::trace::{Range, Step, Trace, code_address};
 use crate::unit::{Estimates, Tier, UnitOptions};
 use commit::{Committed, Pending, Unverified};
 use registers::Registers;
-use spu_isa::Class;
 use spu_isa::timing::hints_by_register;
+use spu_isa::{Class, Op, RegisterSet};
 
 /// Offsets of [`Context`](crate::host::Context)'s fields.
 pub(crate) mod field {
@@ -81,7 +85,7 @@ pub(crate) struct Emitter<'a> {
     b: FunctionBuilder<'a>,
     mode: FloatMode,
     tier: Tier,
-    /// Whether the current instruction is computed in doubles.
+    /// Whether the current instruction is computed in doubles, or commits before it loads.
     in_doubles: bool,
     /// Whether the host rounds to nearest here, for double precision.
     rounds_to_nearest: bool,
@@ -115,7 +119,7 @@ pub(crate) struct Emitter<'a> {
     pc: u32,
     /// Whether a side exit is being emitted.
     in_side_exit: bool,
-    has_floats: bool,
+    has_fallback: bool,
 }
 
 impl<'a> Emitter<'a> {
@@ -167,11 +171,11 @@ impl<'a> Emitter<'a> {
             count: 0,
             pc: start,
             in_side_exit: false,
-            has_floats: false,
+            has_fallback: false,
         }
     }
 
-    /// Emits the function. Returns whether it has float operations that can fail in singles.
+    /// Emits the function. Returns whether another [`FloatMode`] may fail less often.
     pub fn emit(mut self, trace: &Trace, target: TargetFrontendConfig) -> bool {
         self.begin(trace);
         self.enter(trace.steps().len());
@@ -181,12 +185,18 @@ impl<'a> Emitter<'a> {
         self.end(trace);
         self.b.seal_all_blocks();
         self.b.finalize(target);
-        self.has_floats
+        self.has_fallback
     }
 
-    /// Emits the way to the block to which a loop returns. A loop whose only arithmetic is double
-    /// precision keeps the host's rounding mode from one iteration to the next.
+    /// Emits the way to the block to which a loop returns. The unit exits there if local store does
+    /// not hold its code. A loop whose only arithmetic is double precision keeps the host's
+    /// rounding mode from one iteration to the next.
     fn begin(&mut self, trace: &Trace) {
+        let different = self.code_differs();
+        self.side_exit_if(different, |e| e.exit(Exit::STALE));
+        if trace.is_loop() {
+            self.prepare(trace);
+        }
         let classes = || trace.steps().iter().map(|step| step.instruction.op.row().class);
         let is_single = |class| matches!(class, Class::Fp6 | Class::Fp7);
         if trace.is_loop() && !classes().any(is_single) && classes().any(|c| c == Class::Fpd) {
@@ -196,6 +206,28 @@ impl<'a> Emitter<'a> {
         self.b.ins().jump(self.entry, &[self.budget.into()]);
         self.budget = self.b.append_block_param(self.entry, types::I64);
         self.b.switch_to_block(self.entry);
+    }
+
+    /// Emits what a loop needs of registers that it never writes: addresses and the controls of
+    /// shuffles.
+    fn prepare(&mut self, trace: &Trace) {
+        use Op::{Lqd, Lqx, Shufb, Stqd, Stqx};
+        let steps = || trace.steps().iter().map(|step| step.instruction);
+        let written = steps().fold(RegisterSet::EMPTY, |set, i| set.union(i.writes()));
+        for i in steps() {
+            let addresses: &[u8] = match i.op {
+                Lqd | Stqd => &[i.ra],
+                Lqx | Stqx => &[i.ra, i.rb],
+                _ => &[],
+            };
+            for &register in addresses.iter().filter(|&&register| !written.contains(register)) {
+                self.scalar(register);
+            }
+            if i.op == Shufb && !written.contains(i.rc) {
+                let control = self.get(i.rc);
+                self.shuffle_control(control);
+            }
+        }
     }
 
     fn step(&mut self, step: &Step) {
@@ -232,14 +264,12 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Emits the start of a unit. The unit exits unless the budget covers all its instructions and
-    /// local store holds its code. Then it counts the entry, and a baseline unit may exit as hot.
+    /// Emits the start of a unit or of an iteration. The unit exits unless the budget covers all its
+    /// instructions. Then it counts the entry, and a baseline unit may exit as hot.
     fn enter(&mut self, steps: usize) {
         let longest = self.b.ins().iconst(types::I64, steps as i64);
         let short = self.b.ins().icmp(IntCC::SignedLessThan, self.budget, longest);
         self.side_exit_if(short, |e| e.exit(Exit::LEFT));
-        let different = self.code_differs();
-        self.side_exit_if(different, |e| e.exit(Exit::STALE));
         let at = self.load_field(types::I64, field::ENTRIES);
         let flags = MemFlagsData::trusted();
         let offset = 4 * self.number as i32;

@@ -2,6 +2,7 @@
 
 use cranelift_codegen::ir::{Endianness, InstBuilder, MemFlagsData, Type, Value, types};
 
+use super::bytes::ShuffleControl;
 use super::{Emitter, field};
 
 /// The number of a value that a register has or had. Several registers may share a value.
@@ -51,6 +52,7 @@ pub(super) struct Node {
     pub negated: Option<Value>,
     /// Integers that have the same order as the singles.
     pub order: Option<Value>,
+    pub shuffle_control: Option<ShuffleControl>,
     pub facts: Facts,
     /// Whether it is certain to be computed: it is stored, written back, or an operand of
     /// arithmetic that is certain to be computed.

@@ -118,6 +118,6 @@ impl Compiler {
         };
         let entry = host::make(&module(&trace, &mode, number, places))?;
         code.units.lock().unwrap_or_else(PoisonError::into_inner).push((entry, words));
-        Some(Unit { number, trace, mode, tier: self.tier, has_floats: true, entry, code })
+        Some(Unit { number, trace, mode, tier: self.tier, has_fallback: true, entry, code })
     }
 }

@@ -70,7 +70,7 @@ fn requested(pc: u32) -> Stopped {
 /// What to compile instead of a unit that fails too often.
 fn slower(unit: &Unit, special: Steps) -> Option<(Trace, FloatMode)> {
     let mode = unit.mode().fallback(special);
-    match mode.filter(|_| unit.has_floats()) {
+    match mode.filter(|_| unit.has_fallback()) {
         Some(mode) => Some((unit.trace().clone(), mode)),
         // Singles fail in no other mode, so what fails now is double precision.
         None => {

@@ -1,4 +1,4 @@
-//! Finds the instructions that the host's singles can't compute.
+//! Finds the instructions that the host's singles can't compute, and loads of what was just stored.
 
 use std::collections::HashSet;
 
@@ -33,20 +33,27 @@ impl Specials {
     }
 
     /// Replays a trace from the SPU's program counter on, and returns the instructions that
-    /// singles can't compute. The replay ends where the SPU leaves the trace. The SPU itself is
+    /// singles can't compute, and loads of quadwords that the trace has stored. The replay ends where the SPU leaves the trace. The SPU itself is
     /// unchanged.
     pub fn find(&mut self, trace: &Trace, spu: &Spu, local_store: &LocalStore) -> Steps {
         // The quadwords that the replay has loaded or stored. They are copied when it needs them,
         // because copying all of local store would take longer than the replay.
         let mut copied = HashSet::new();
+        let mut stored = HashSet::new();
         self.spu.registers = spu.registers;
         self.spu.set_pc(spu.pc());
         let mut specials = Steps::NONE;
         let steps = trace.steps();
         let start = steps.iter().position(|step| step.pc == spu.pc());
         for step in steps.iter().skip(start.unwrap_or(steps.len())) {
-            let access = self.spu.access(step.instruction).map(|access| access.address);
-            for address in access.into_iter().chain([step.pc & !15]) {
+            let access = self.spu.access(step.instruction);
+            let mut overlaps = false;
+            if let Some(access) = access {
+                overlaps = !access.is_store && stored.contains(&access.address);
+                stored.extend(access.is_store.then_some(access.address));
+            }
+            let address = access.map(|access| access.address);
+            for address in address.into_iter().chain([step.pc & !15]) {
                 if copied.insert(address) {
                     let quadword = local_store.load_quadword(address);
                     self.local_store.store_quadword(address, quadword);
@@ -57,7 +64,7 @@ impl Specials {
             let stopped = self.spu.step(&self.local_store, &mut NoChannels);
             let is_single = step.instruction.op.row().class != Class::Fpd;
             let raised = self.spu.fpscr.words() != [0; 4];
-            if special || is_single && raised {
+            if special || overlaps || is_single && raised {
                 // In all iterations, if the trace is an unrolled loop.
                 let same = (0..steps.len()).filter(|&other| steps[other].pc == step.pc);
                 same.for_each(|number| specials.add(number));

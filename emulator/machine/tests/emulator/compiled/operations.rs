@@ -196,6 +196,34 @@ fn selections_between_operands_and_results() {
     });
 }
 
+/// A load fails if it is of a quadword for which a store is held back, unless the mode has it
+/// commit first.
+#[test]
+fn loads_of_quadwords_that_were_just_stored() {
+    let mut rng = ChaCha8Rng::seed_from_u64(9);
+    let mut state = state(&mut rng, true);
+    let operands = [[3, 4], [5, 6], [5, 4]].map(|[rt, ra]| [rt, ra, 0, 0]);
+    let [stored, loaded, after] = operands;
+    let code = [
+        Instruction::new(Op::Stqd, stored, 0),
+        Instruction::new(Op::Lqd, loaded, 0),
+        Instruction::new(Op::Stqd, after, 16),
+    ];
+    let code_cache = code_cache();
+    let mut committing = FloatMode::SINGLES;
+    committing.in_doubles.add(1);
+    state.registers[4] = Quad::splat(0x8000);
+    for (address, overlaps) in [(0x7fff, false), (0x8000, true), (0x800f, true), (0x8010, false)] {
+        state.registers[6] = Quad::splat(address);
+        for (mode, fails) in [(FloatMode::SINGLES, overlaps), (committing, false)] {
+            let trace = trace(&code, &state);
+            let mut unit = Compiled::new(&code_cache, Tier::Optimized, &trace, mode);
+            let exit = compare(&mut unit, mode, &code, &state);
+            assert_eq!(matches!(exit, Exit::Failed(_)), fails, "{address:#x} {mode:?}");
+        }
+    }
+}
+
 /// In a loop, registers may keep their values from one iteration to the next.
 #[test]
 fn loops() {

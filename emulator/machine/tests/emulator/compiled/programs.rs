@@ -323,6 +323,26 @@ fn a_loop_of_specials_stays_compiled() {
     assert!(compiled > spu.executed() * 9 / 10, "{compiled} of {}", spu.executed());
 }
 
+/// The compiler does not see that both registers have the same address. The unit fails at first,
+/// and the one that replaces it stores before it loads.
+#[test]
+fn a_loop_that_loads_what_it_has_stored_stays_compiled() {
+    let body = [
+        word(Op::Ai, [3, 3, 0], 1),
+        word(Op::Stqd, [3, 4, 0], 0),
+        word(Op::Lqd, [6, 5, 0], 0),
+        word(Op::A, [7, 7, 6], 0),
+    ];
+    let count = 10 * ROUNDS;
+    let code = counted_loop(&body, count, 0);
+    let (_, spu, compiled) = compare_engines(&code, |spu, _| {
+        spu.registers[4] = Quad::splat(0x2000);
+        spu.registers[5] = Quad::splat(0x2000);
+    });
+    assert_eq!(spu.register(7), Quad::splat(count * (count + 1) / 2));
+    assert!(compiled > u64::from(5 * count), "{compiled}");
+}
+
 #[test]
 fn the_check_finds_nothing() {
     let body = [
