@@ -7,6 +7,7 @@ mod command_line;
 mod frames;
 mod game;
 mod links;
+mod manifests;
 mod measured_numbers;
 mod prelude;
 mod recorder;
