@@ -106,6 +106,7 @@ build_for_host() { step "build for the host" cargo test --quiet --workspace --no
 
 # The console's programs, and all else that is run under QEMU.
 build_for_ppc64() {
-    cargo build --release --quiet --target "$ppc64" \
-        -p cellray -p cellray-play -p shader-example -p accuracy -p libspe2 -p ps3fb -p spufs
+    local packages=(-p cellray -p cellray-play -p shader-example -p libspe2 -p ps3fb -p spufs)
+    ! full || packages+=(-p accuracy)
+    cargo build --release --quiet --target "$ppc64" "${packages[@]}"
 }
