@@ -15,8 +15,8 @@ use crate::scene::{Colour, Scene};
 use protocol::layout::{
     EYE_CODE_CAPACITY, FEATURE_BRANCHES, FEATURE_CHECK_SHADERS, FEATURE_COLOURS, FEATURE_CUTS,
     FEATURE_HEIGHTS, FEATURE_MATERIALS, FEATURE_MESH, FEATURE_NO_SHADOWS, FEATURE_ROLL_OFF,
-    FEATURE_SPHERES, FEATURE_SRGB, FEATURE_TEXTURES, FEATURE_WHITTED, Frame, MAGIC, SKIP_MISSES,
-    SKIP_NOTHING, SPLIT_SLICES, SPLIT_UNITS, VERSION,
+    FEATURE_SPHERES, FEATURE_SRGB, FEATURE_TEXTURES, FEATURE_VISIBILITY, FEATURE_WHITTED, Frame,
+    MAGIC, SKIP_MISSES, SKIP_NOTHING, SPLIT_SLICES, SPLIT_UNITS, VERSION,
 };
 
 /// The addresses of a frame's records in main memory.
@@ -258,6 +258,7 @@ fn features(order: &Order, frame: &Frame) -> u32 {
         | flag(frame.textures.get() != 0, FEATURE_TEXTURES)
         | flag(frame.materials.get() != 0, FEATURE_MATERIALS)
         | flag(is_coloured, FEATURE_COLOURS)
+        | flag(mesh.is_some_and(|mesh| mesh.blocks.has_visibility()), FEATURE_VISIBILITY)
         | flag(frame.heights.get() != 0, FEATURE_HEIGHTS)
         | flag(frame.cut_fours.get() != 0, FEATURE_CUTS)
         | flag(branch, FEATURE_BRANCHES)

@@ -1,11 +1,14 @@
 # colour_vertices_r16   multiplies sixteen surfaces' colours by those of their triangles' vertices
-#   C       void colour_vertices_r16(const struct rays16 *, struct surfaces *,
-#                                    const vec_uint4 *colours, const struct patch *, int are_roots);
-#   In      $3 rays, $4 their surfaces, $5 the packed colours of the vertices of each patch, $6 the
-#           first patch; pointers 16-aligned; $7 -1 if colours are square roots of light, 0 if they
-#           are light. A ray's hit is an address, of any record
-#   Out     surfaces: red, green and blue, where the object is a patch with SIDES_COLOURED
-#   Uses    $3-$7, $10-$79   Saves  -   Stack  0   Calls  -
+#   C       int colour_vertices_r16(const struct rays16 *, struct surfaces *,
+#                                   const vec_uint4 *colours, const struct patch *, int are_roots,
+#                                   vec_uint4 *visibility);
+#   In      $3 rays, $4 their surfaces, $5 for each patch the packed colours of the vertices, and
+#           its MESH_VISIBILITY, $6 the first patch, $8 where that of the rays goes; pointers
+#           16-aligned; $7 -1 if colours are square roots of light, 0 if they are light. A ray's hit
+#           is an address, of any record
+#   Out     surfaces: red, green and blue, where the object is a patch with SIDES_COLOURED; for each
+#           ray the MESH_VISIBILITY, where it is one with SIDES_VISIBILITY, else 0; $3 their OR
+#   Uses    $3-$8, $10-$79   Saves  -   Stack  0   Calls  -
 #   Domain  points in their triangles; edges from 2^-30 to 2^30, and from 1/100 of the points'
 #           distance from the eye on; |plane| about 1; up to 128 patches
 #   Error   1e-6 of 1, for a colour of 1; for the point as it is given
@@ -22,7 +25,7 @@
         .include "reciprocal.inc"
 
         .set    NEXT,3
-        registers a_rays,a_surfaces,a_table,a_first,are_roots
+        registers a_rays,a_surfaces,a_table,a_first,are_roots,a_known
         # constants
         .set    NEXT,10
         registers m_xy,m_zw,m_first,m_second,k_one,k_bits,k_scale,k_light,k_square,k_index,rows
@@ -39,6 +42,7 @@
         registers turn_x,turn_y,turn_z,share_a,share_b,share_c,inverse,t_y,t_e
         registers packed_a,packed_b,packed_c
         registers part_a,part_b,part_c,factor,old
+        registers known,has_known,any
 
         .section .rodata.colour,"a",@progbits
         .align  4
@@ -80,6 +84,7 @@ function colour_vertices_r16
         andc    $k_light,$k_one,$are_roots
         splat   $a_table,$a_table,$low
         splat   $a_first,$a_first,$low
+        il      $any,0
         il      $rows,-4
 next_row:
         lqd     $patch,RAYS16_object($a_rays)
@@ -95,12 +100,18 @@ next_row:
         lqd     $g\axis,SURFACES_plane_\axis($a_surfaces)
     .endr
         gather  patch,OBJECT_sides&~15,$rest,$rest,$rest,$coloured
+        shli    $has_known,$coloured,6                 # SIDES_VISIBILITY becomes the sign
+        rotmai  $has_known,$has_known,-31
         shli    $coloured,$coloured,5                   # SIDES_COLOURED becomes the sign
         rotmai  $coloured,$coloured,-31
         gather  patch,TRI_a,$ax,$ay,$az,$rest
         gather  patch,TRI_b,$bx,$by,$bz,$rest
         gather  patch,TRI_c,$cx,$cy,$cz,$rest
-        gather  place,0,$packed_a,$packed_b,$packed_c,$rest
+        gather  place,0,$packed_a,$packed_b,$packed_c,$known
+        and     $known,$known,$has_known
+        stqd    $known,0($a_known)
+        or      $any,$any,$known
+        ai      $a_known,$a_known,16
     .irp axis, x,y,z
         fs      $a\axis,$a\axis,$p\axis
         fs      $b\axis,$b\axis,$p\axis
@@ -121,5 +132,6 @@ next_row:
         ai      $a_surfaces,$a_surfaces,16
         ai      $rows,$rows,1
         brnz    $rows,next_row
+        orx     $3,$any
         bi      $lr
 endfunction colour_vertices_r16

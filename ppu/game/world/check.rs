@@ -89,6 +89,12 @@ pub(super) fn mesh(mesh: &Mesh, materials: usize) -> Result<Vec<usize>, WorldErr
         let count = mesh.materials.len();
         return bad(format!("{triangles} triangles need as many materials, not {count}"));
     }
+    if !mesh.visibility.is_empty() && mesh.visibility.len() != triangles {
+        let count = mesh.visibility.len();
+        return bad(format!(
+            "{triangles} triangles need their visibility each, or none, not {count}"
+        ));
+    }
     if !mesh.normals.is_empty() && mesh.normals.len() != vertices {
         let count = mesh.normals.len();
         return bad(format!("{vertices} vertices need as many normals, or none, not {count}"));

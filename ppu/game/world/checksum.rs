@@ -59,7 +59,7 @@ impl Checksum {
         }
     }
 
-    /// A mesh without its place and its materials.
+    /// A mesh without its place and its materials. The visibility of lights changes no picture.
     pub fn mesh(&mut self, mesh: &Mesh) {
         if mesh.origin != DVec3::ZERO {
             self.vector(mesh.origin);

@@ -7,7 +7,7 @@
 use std::sync::{Arc, OnceLock};
 
 use glam::{DAffine3, DMat3, DVec3, Vec3};
-use scenes::{Mesh, unit};
+use scenes::{Mesh, Visibility, unit};
 use slotmap::SecondaryMap;
 
 use super::checksum::Checksum;
@@ -303,6 +303,7 @@ impl World {
         let has_normals = visible().any(|entry| !entry.mesh.normals.is_empty());
         let has_coordinates = visible().any(|entry| !entry.mesh.texture_coordinates.is_empty());
         let has_colours = visible().any(|entry| !entry.mesh.colours.is_empty());
+        let has_visibility = visible().any(|entry| !entry.mesh.visibility.is_empty());
         let mut joined = Mesh {
             // Whatever depends on places would differ between a world in which meshes have moved
             // and a new one.
@@ -335,6 +336,10 @@ impl World {
             let materials = entry.mesh.materials.iter();
             let materials = materials.map(|&material| number(&entry.materials[material as usize]));
             joined.materials.extend(materials);
+            if has_visibility {
+                joined.visibility.extend_from_slice(&entry.mesh.visibility);
+                joined.visibility.resize(joined.triangles.len(), Visibility::default());
+            }
         }
         Some(Arc::new(joined))
     }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use glam::DVec3;
-use scenes::{Mesh, Object, Scene, Shape, triangles, unit};
+use scenes::{Mesh, Object, Scene, Shape, Visibility, triangles, unit};
 
 /// The most triangles that stay in local store. Records and bounding volumes of more don't fit it.
 pub(crate) const RESIDENT: usize = 512;
@@ -137,6 +137,9 @@ impl Gatherer {
             });
             self.mesh.triangles.push(corners);
             self.mesh.materials.push(object.material);
+            if !self.mesh.visibility.is_empty() {
+                self.mesh.visibility.push(Visibility::default());
+            }
         }
         true
     }

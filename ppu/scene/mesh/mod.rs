@@ -149,6 +149,7 @@ pub struct MeshBlocks {
     materials: Vec<u32>,
     width: NumberWidth,
     is_coloured: bool,
+    has_visibility: bool,
     /// The mesh's vertices that leaf blocks have, block after block.
     sources: Vec<u32>,
     /// How many vertices the mesh has.
@@ -184,6 +185,7 @@ impl MeshBlocks {
             materials,
             width: NumberWidth::Byte,
             is_coloured: false,
+            has_visibility: false,
             sources: Vec::new(),
             vertices: mesh.positions.len(),
             flat: write::flat(mesh).collect(),
@@ -353,6 +355,12 @@ impl MeshBlocks {
     #[must_use]
     pub fn is_coloured(&self) -> bool {
         self.is_coloured
+    }
+
+    /// Whether the triangles have masks of the lights that need no shadow rays.
+    #[must_use]
+    pub fn has_visibility(&self) -> bool {
+        self.has_visibility
     }
 
     /// How wide these numbers are in blocks.

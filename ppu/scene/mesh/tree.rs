@@ -13,7 +13,7 @@ use super::sweep::sweep;
 use glam::Vec3;
 use protocol::layout::{
     Boxes, MESH_BLOCK, MESH_FACES, MESH_UPPER, MeshColour, MeshCoordinates, MeshFace, MeshHeader,
-    MeshVertex, SIDES_TEXTURED,
+    MeshVertex, MeshVisibility, SIDES_TEXTURED,
 };
 use scenes::Mesh;
 
@@ -151,7 +151,10 @@ impl<'a> Tree<'a> {
             self.nodes.push(Node { bounds, pieces, leaves: 1, halves: None });
             return self.nodes.len() - 1;
         }
-        let middle = pieces.start + split(&mut self.pieces[pieces.clone()], capacity);
+        // The triangles of levels differ so much in size that whole blocks would be worse.
+        let few_blocks = if self.mesh.visibility.is_empty() { FEW_BLOCKS } else { 1 };
+        let own = &mut self.pieces[pieces.clone()];
+        let middle = pieces.start + split(own, capacity, few_blocks);
         let halves = [self.grow(kind, pieces.start..middle), self.grow(kind, middle..pieces.end)];
         self.join(halves)
     }
@@ -173,7 +176,9 @@ impl<'a> Tree<'a> {
     fn capacity(&self, kind: Kind) -> usize {
         let capacity = self.block() - size_of::<MeshHeader>() - LEAF_NODES * size_of::<Boxes>();
         let vertex = kind.vertex(!self.mesh.colours.is_empty()) as f64;
-        let each = size_of::<MeshFace>() as f64 + self.vertices * vertex;
+        let face = size_of::<MeshFace>()
+            + if self.has_visibility() { size_of::<MeshVisibility>() } else { 0 };
+        let each = face as f64 + self.vertices * vertex;
         ((FILL * capacity as f64 / each) as usize).clamp(8, MESH_FACES as usize)
     }
 
@@ -194,8 +199,14 @@ impl<'a> Tree<'a> {
         let needed = size_of::<MeshHeader>()
             + LEAF_NODES * size_of::<Boxes>()
             + self.arrays(kind, vertices)
-            + (pieces.len() * size_of::<MeshFace>()).next_multiple_of(16);
+            + (pieces.len() * size_of::<MeshFace>()).next_multiple_of(16)
+            + if self.has_visibility() { pieces.len() * size_of::<MeshVisibility>() } else { 0 };
         needed <= self.block()
+    }
+
+    /// Whether blocks have the visibility of lights.
+    fn has_visibility(&self) -> bool {
+        !self.mesh.colours.is_empty() && !self.mesh.visibility.is_empty()
     }
 
     /// The bytes of the vertices, including the padding to quadwords between arrays.
@@ -204,6 +215,8 @@ impl<'a> Tree<'a> {
             true => vertices * kind.vertex(false),
             false => {
                 let colours = vertices * size_of::<MeshColour>();
+                let colours =
+                    if self.has_visibility() { colours.next_multiple_of(16) } else { colours };
                 (vertices * kind.vertex(false)).next_multiple_of(16) + colours
             }
         }
@@ -219,9 +232,9 @@ impl<'a> Tree<'a> {
 }
 
 /// Sorts pieces into two parts, and returns the length of the first one. Neither is empty.
-fn split(pieces: &mut [Piece], capacity: usize) -> usize {
+fn split(pieces: &mut [Piece], capacity: usize, few_blocks: usize) -> usize {
     let count = pieces.len();
-    if count > capacity && count <= FEW_BLOCKS * capacity {
+    if count > capacity && count <= few_blocks * capacity {
         // Whole blocks on one side: only the last one of these pieces isn't full.
         let blocks = |count: usize| count.div_ceil(capacity);
         return sweep(pieces, &|index| {

@@ -6,8 +6,8 @@ use std::ops::Range;
 use protocol::layout::{
     Boxes, Cone, HEIGHT_TREE, MESH_BLOCK, MESH_BLOCKS, MESH_CONES, MESH_INNER, MESH_LEAF,
     MESH_MAGIC, MESH_RUN, MESH_SPHERES, MESH_UPPER, MeshColour, MeshCoordinates, MeshFace,
-    MeshHeader, MeshVertex, NO_BOX, Object, SIDES_COLOURED, SIDES_SMOOTH, SIDES_TEXTURED,
-    SIDES_WIDE,
+    MeshHeader, MeshVertex, MeshVisibility, NO_BOX, Object, SIDES_COLOURED, SIDES_SMOOTH,
+    SIDES_TEXTURED, SIDES_VISIBILITY, SIDES_WIDE,
 };
 use scenes::Mesh;
 use zerocopy::big_endian::{F32, U32};
@@ -99,6 +99,7 @@ pub(super) fn blocks(
             materials,
             width,
             is_coloured: !content.colours.is_empty(),
+            has_visibility: !content.colours.is_empty() && !mesh.visibility.is_empty(),
         }),
     }
 }
@@ -241,12 +242,17 @@ impl<'a> Writer<'a> {
         }
         let mut faces = Vec::with_capacity(pieces.len());
         let mut upper = Vec::with_capacity(pieces.len());
+        let mut visibility = Vec::new();
         for piece in &*pieces {
             let triangle = piece.index as usize;
             let vertex = mesh.triangles[triangle].map(|vertex| self.local[vertex as usize]);
             let number = numbers[mesh.materials[triangle] as usize];
             faces.push(MeshFace { vertex, material: number as u8 });
             upper.push((number >> 8) as u8);
+            if let Some(known) = mesh.visibility.get(triangle).filter(|_| !colours.is_empty()) {
+                let (dark, lit) = (known.dark.into(), known.lit.into());
+                visibility.push(MeshVisibility { dark, lit });
+            }
         }
         let wide = match self.width {
             NumberWidth::Byte => 0,
@@ -256,17 +262,27 @@ impl<'a> Writer<'a> {
             true => 0,
             false => SIDES_COLOURED,
         };
+        let marked = match visibility.is_empty() {
+            true => 0,
+            false => SIDES_VISIBILITY,
+        };
         let header = MeshHeader {
             triangles: (faces.len() as u32).into(),
             vertices: (vertices.len() as u32).into(),
-            sides: (sides | wide | coloured).into(),
+            sides: (sides | wide | coloured | marked).into(),
             ..header(number, MESH_LEAF, levels, nodes.len())
         };
         let mut block = self.block(
             around(pieces),
             &header,
             &nodes,
-            &[vertices.as_bytes(), faces.as_bytes(), coordinates.as_bytes(), colours.as_bytes()],
+            &[
+                vertices.as_bytes(),
+                faces.as_bytes(),
+                coordinates.as_bytes(),
+                colours.as_bytes(),
+                visibility.as_bytes(),
+            ],
         );
         if wide != 0 {
             block.0[MESH_UPPER as usize..][..upper.len()].copy_from_slice(&upper);

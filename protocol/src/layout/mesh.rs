@@ -7,7 +7,8 @@
 //! how far a cone's surface is from its base at most, less its offset, or 0. With
 //! `SIDES_TEXTURED`, `MESH_UV` records of the vertices begin at the next quadword. With
 //! `SIDES_COLOURED`, `MESH_COLOUR` records of the vertices begin at the quadword after these. With
-//! `SIDES_WIDE` the upper bytes of the materials' numbers are at `MESH_UPPER`. Positions are in the
+//! `SIDES_VISIBILITY`, `MESH_VISIBILITY` records of the triangles begin at the quadword after these.
+//! With `SIDES_WIDE` the upper bytes of the materials' numbers are at `MESH_UPPER`. Positions are in the
 //! mesh's own coordinates until a block is in local store, and relative to the eye there.
 //!
 //! Block 0 is the root, and a child comes after its parent. The nodes of a block are stored level
@@ -39,8 +40,8 @@ record! {
         triangles: U32,
         /// Vertices, at most `MESH_VERTICES`; 0 unless there are triangles.
         vertices: U32,
-        /// `SIDES_BOTH`, `SIDES_SMOOTH`, `SIDES_TEXTURED`, `SIDES_WIDE` and `SIDES_COLOURED`, for
-        /// all triangles of the block.
+        /// `SIDES_BOTH`, `SIDES_SMOOTH`, `SIDES_TEXTURED`, `SIDES_WIDE`, `SIDES_COLOURED` and
+        /// `SIDES_VISIBILITY`, for all triangles of the block.
         sides: U32,
     }
 }
@@ -104,6 +105,17 @@ record! {
         /// Red, green and blue times 1023, from the bits 2^22, 2^12 and 2^2 on: light, or its
         /// square root with `FEATURE_SRGB`.
         packed: U32,
+    }
+}
+
+record! {
+    /// The lights of which it is known whether they reach a triangle. The bit 2^n is for all lights
+    /// whose number is n modulo 16.
+    MeshVisibility as "MESH_VISIBILITY" {
+        /// Those that reach no place of it.
+        dark: U16,
+        /// Those that reach all places of it in their range.
+        lit: U16,
     }
 }
 
@@ -323,6 +335,7 @@ const _: () = {
     assert!(size_of::<MeshVertex>() == 16);
     assert!(size_of::<MeshFace>() == 4);
     assert!(size_of::<MeshCoordinates>() == 8);
+    assert!(size_of::<MeshVisibility>() == 4);
     assert!(size_of::<Texture>() == 16);
     assert!(size_of::<TextureLevel>() == 16);
     assert!(size_of::<MeshBound>() == size_of::<super::Bound>());

@@ -78,7 +78,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 22;
+    VERSION = 23;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -113,8 +113,10 @@ constants! {
     /// Feature bit: the height field is all that is in main memory, and rays from the eye find it
     /// by cuts, unless they are further samples of a pixel.
     FEATURE_CUTS = 8192;
+    /// Feature bit, with `FEATURE_COLOURS`: the blocks of the mesh have the visibility of lights.
+    FEATURE_VISIBILITY = 16384;
     /// All feature bits that this version has.
-    FEATURES_KNOWN = 16383;
+    FEATURES_KNOWN = 32767;
     /// `split`: every SPU takes the next work unit from the shared counter.
     SPLIT_UNITS = 0;
     /// `split`: every SPU has a fixed share of consecutive work units, as in the paper.
@@ -245,6 +247,8 @@ constants! {
     SIDES_WIDE = 0x0800_0000;
     /// In `sides`: a triangle of a mesh with colours at its vertices.
     SIDES_COLOURED = 0x0400_0000;
+    /// In `sides`, with `SIDES_COLOURED`: a triangle of a mesh with the visibility of lights.
+    SIDES_VISIBILITY = 0x0200_0000;
     /// First word of a mesh's block: `MESH`.
     MESH_MAGIC = 0x4d45_5348;
     /// Bytes of a mesh's block.
@@ -313,7 +317,7 @@ constants! {
     TEXTURE_CODE = EYE_CODE - TEXTURE_CODE_CAPACITY;
     /// Bytes in front of `TEXTURE_CODE` for the code that interpolates colours, of meshes with or
     /// without textures.
-    COLOUR_CODE_CAPACITY = 2048;
+    COLOUR_CODE_CAPACITY = 2688;
     /// Address in local store of that code.
     COLOUR_CODE = TEXTURE_CODE - COLOUR_CODE_CAPACITY;
     /// Bytes in front of `COLOUR_CODE` for the code that makes triangles of a height field.
@@ -460,6 +464,7 @@ pub const RECORDS: &[Record] = &[
     MeshVisit::RECORD,
     MeshCoordinates::RECORD,
     MeshColour::RECORD,
+    MeshVisibility::RECORD,
     Build::RECORD,
     BuildUnit::RECORD,
     BuildBounds::RECORD,

@@ -403,8 +403,9 @@ record! {
         lit_blue: [F32; 16],
         /// Address of the material.
         material: [U32; 16],
-        /// The `MATERIAL_` and `SIDES_` bits that the material or object of any lane has, in the
-        /// first word.
+        /// The `MATERIAL_` and `SIDES_` bits that the material or object of any lane has. In the
+        /// second word, the bits of `MESH_VISIBILITY` of all lanes. If there are any, `origin_x` of
+        /// the rays has those of each lane when the surfaces are lit.
         flags: [U32; 4],
     }
 }

@@ -64,6 +64,14 @@ pub struct Part {
     pub thing: Option<u32>,
 }
 
+impl Part {
+    /// Whether it always is what and where it is now.
+    #[must_use]
+    pub fn is_fixed(&self) -> bool {
+        self.moves_with.is_none() && self.thing.is_none()
+    }
+}
+
 impl Level {
     /// Makes the meshes of a map.
     ///

@@ -196,7 +196,8 @@ fn stairs(map: &Map, first: u32, step: f64) -> Vec<((u32, Plane), f64)> {
 }
 
 /// The lowest and the highest place of every floor and ceiling that some line moves.
-pub(crate) fn ranges(map: &Map) -> BTreeMap<(u32, Plane), [f64; 2]> {
+#[must_use]
+pub fn ranges(map: &Map) -> BTreeMap<(u32, Plane), [f64; 2]> {
     let mut ranges = BTreeMap::new();
     for (plane, to) in map.lines.iter().flat_map(|line| moves(map, line)) {
         let rest = plane.1.height(&map.sectors[plane.0 as usize]);

@@ -295,6 +295,7 @@ impl Builder {
             colours: vertices.colours,
             triangles: self.triangles,
             materials: self.triangle_materials,
+            visibility: Vec::new(),
             two_sided: self.two_sided,
         };
         let has_area = |triangle: usize| {

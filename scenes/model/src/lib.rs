@@ -32,7 +32,7 @@ pub use error::{Error, Excerpt, Fault};
 pub use even_odd::even_odd;
 pub use heights::{HeightError, HeightField, HeightMap, HeightRegion, HeightSample, MAX_SAMPLES};
 pub use lines::Limits;
-pub use mesh::{Mesh, cuboid};
+pub use mesh::{Mesh, Visibility, cuboid};
 pub use names::{Generated, generated};
 pub use parse::{parse, read};
 pub use scene::{Light, LightKind, Material, Object, Scene, Shader, Shape};

@@ -8,6 +8,20 @@ use glam::{BVec3, DVec3, Vec3};
 
 use crate::Shape;
 
+/// Which lights reach a triangle, for those of which that is known, so that they need no shadow rays
+/// there. The bit 2^n is for all lights whose number in the scene is n modulo 16. SPUs use it in
+/// meshes with colours of vertices.
+///
+/// It is a promise of who makes the mesh, for as long as it is traced. With a wrong bit light goes
+/// through what is in its way, or is missing.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Visibility {
+    /// Nothing will ever be between these lights and any place of the triangle in their range.
+    pub lit: u16,
+    /// Something will always be between these lights and every place of the triangle.
+    pub dark: u16,
+}
+
 /// Triangles, relative to an origin of their own.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Mesh {
@@ -28,6 +42,8 @@ pub struct Mesh {
     pub triangles: Vec<[u32; 3]>,
     /// The material of each triangle, as an index in [`Scene::materials`](crate::Scene::materials).
     pub materials: Vec<u32>,
+    /// What is known of the light that reaches each triangle, or nothing at all.
+    pub visibility: Vec<Visibility>,
     /// Whether all triangles are visible from both sides. Triangles whose material transmits light
     /// always are.
     pub two_sided: bool,

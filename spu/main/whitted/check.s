@@ -8,6 +8,10 @@
 
         .section .bss
         .align  4
+        .global visibility
+visibility:                             # not 0 in frames with FEATURE_VISIBILITY
+        .skip   16
+
         .global streamed
 streamed:                               # bits of FEATURE_MESH, FEATURE_TEXTURES,
                                         # FEATURE_MATERIALS, FEATURE_COLOURS and FEATURE_HEIGHTS; 0
@@ -47,6 +51,7 @@ function whitted_check
         and     $batch,$batch,$value
         il      $value,0
         stqa    $value,surface_way
+        stqa    $value,visibility
         stqa    $value,cuts
         stqa    $batch,streamed
         brz     $batch,no_mesh

@@ -155,8 +155,10 @@ rays_call:
         brz     $w_traced,dark
         rotqbyi $amount,$amount,FRAME_features
         andi    $amount,$amount,FEATURE_NO_SHADOWS
-        brnz    $amount,unshadowed
-        count   shadow,$w_here,$t_sum,$t_add,$t_carry
+        brnz    $amount,lit_by
+        lqa     $amount,visibility
+        brnz    $amount,take
+taken:  count   shadow,$w_here,$t_sum,$t_add,$t_carry
         paths_sent
         hbrr    trace_call,packets_trace
         phase_ends $g_ticks_shade,$amount
@@ -170,12 +172,15 @@ rays_call:
 trace_call:
         brsl    $lr,packets_trace
         lqa     $3,keeps_paths
-        brz     $3,unshadowed
+        brz     $3,paths_kept
         lqa     $3,shadow_rays_at
         ori     $4,$w_traced,0
         il      $5,0
         brsl    $lr,paths_add
-unshadowed:
+paths_kept:
+        lqa     $amount,visibility
+        brnz    $amount,return
+lit_by:
         # Highlights take long, so packets are left out that the light does not reach.
         lqa     $left,shining_size
         lqa     $a_shadow,shadow_rays_at
@@ -251,6 +256,13 @@ has_range:
         hbrr    rays_call,shadow_rays_r16
         brz     $3,dark
         br      in_reach
+        # Rays that need not be traced are taken out meanwhile.
+take:   brsl    $lr,colour_take
+        ori     $w_here,$3,0
+        brnz    $w_here,taken
+        brz     $4,dark
+return: brsl    $lr,colour_return
+        br      lit_by
 lit:
         phase_ends $g_ticks_shade,$amount
         leave

@@ -17,4 +17,5 @@ mod retained;
 mod shaders;
 mod sort;
 mod textures;
+mod visibility;
 mod waiting;

@@ -2,7 +2,7 @@
 
 use cellray::game::{DAffine3, DVec3, Label, Material, MeshId, ObjectId, Side, World, WorldError};
 use glam::DVec2;
-use levels::{Action, special};
+use levels::{Action, Thing, special};
 
 use super::ground::{Ground, RADIUS};
 
@@ -84,6 +84,15 @@ impl Goals {
             Ground::in_space(from.midpoint(to), floor + FLOATS)
         };
         Ok(Self { goals, exits: exits.map(middle).collect() })
+    }
+
+    /// The box in which the sphere is that shows a thing, whose floor moves as far as this; `None`
+    /// if it is nothing to find.
+    pub fn sphere_box(thing: &Thing, [low, high]: [f64; 2]) -> Option<[DVec3; 2]> {
+        let is_goal = KINDS.iter().any(|(numbers, ..)| numbers.contains(&thing.kind));
+        let at =
+            |floor, radius| Ground::in_space(thing.place, floor + FLOATS) + DVec3::splat(radius);
+        is_goal.then(|| [at(low, -SIZE), at(high, SIZE)])
     }
 
     /// Puts what lies on floors that have moved to where these are now.

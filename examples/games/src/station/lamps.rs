@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use cellray::game::{DVec3, Light, LightId, World, WorldError};
+use levels::Lamp;
 
 use super::ground::Ground;
 use super::things::{self, Decorations};
@@ -21,13 +22,8 @@ pub struct Lamps {
 }
 
 impl Lamps {
-    /// Adds the lamps and the decorations of a map.
-    /// The level shows those of some kinds already.
-    pub fn add(
-        ground: &Ground,
-        shown: &BTreeSet<u16>,
-        world: &mut World,
-    ) -> Result<Self, WorldError> {
+    /// The lamps of a map, and its decorations but for kinds that the level shows already.
+    pub fn of(ground: &Ground, shown: &BTreeSet<u16>) -> (Self, Decorations) {
         let mut lamps = Vec::new();
         let mut decorations = Decorations::default();
         for thing in &ground.map.things {
@@ -44,16 +40,27 @@ impl Lamps {
                 lamps.push((top, Light::at(top).within(RANGE).coloured(red, green, blue)));
             }
         }
-        decorations.finish(world)?;
-        let shining = lamps.iter().take(World::MAX_LIGHTS);
+        (Self { lamps, lights: Vec::new() }, decorations)
+    }
+
+    /// The lamps in the order of their lights' numbers; none if these change as the walker moves.
+    pub fn fixed(&self) -> Vec<Lamp> {
+        let lamps = self.lamps.iter().map(|&(place, _)| Lamp { place, range: RANGE });
+        let are_fixed = self.lamps.len() <= World::MAX_LIGHTS;
+        lamps.filter(|_| are_fixed).collect()
+    }
+
+    /// Adds them to the world, in which there is no other light.
+    pub fn add(&mut self, world: &mut World) -> Result<(), WorldError> {
+        let shining = self.lamps.iter().take(World::MAX_LIGHTS);
         let lights = shining.map(|&(_, light)| world.add_light(light));
-        let lights = lights.collect::<Result<Vec<_>, _>>()?;
+        self.lights = lights.collect::<Result<Vec<_>, _>>()?;
         world.set_default_light(false);
-        if lights.is_empty() {
+        if self.lights.is_empty() {
             // A world without a light would be traced with depth shading.
             world.add_light(Light::sun(DVec3::Y).coloured(0.0, 0.0, 0.0))?;
         }
-        Ok(Self { lamps, lights })
+        Ok(())
     }
 
     /// Lets those lamps shine that are nearest to the eye, if a world can't have all of them.

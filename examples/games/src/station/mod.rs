@@ -30,7 +30,7 @@ use cellray::game::{
     RenderOptions, Side, Start, View, WalkCamera, World, WorldError,
 };
 use glam::DVec2;
-use levels::{Action, Graphics, Level, Map, Name, Plan, Special, Trigger, Wad, special};
+use levels::{Action, Blockers, Graphics, Level, Map, Name, Plan, Special, Trigger, Wad, special};
 
 use crate::camera::follow;
 use crate::steps::{STEP, Steps};
@@ -40,6 +40,7 @@ use ground::Ground;
 use lamps::Lamps;
 use movers::Movers;
 use portals::Portal;
+use things::Decorations;
 
 /// The game's name.
 pub const NAME: &str = "station";
@@ -160,6 +161,55 @@ impl Station {
     #[must_use]
     pub fn has_ended(&self) -> bool {
         self.has_ended
+    }
+
+    /// Finds the lamps of which it is known whether they reach a surface, so that its shadow rays
+    /// need not be traced.
+    fn find_visibility(&self, level: &mut Level, decorations: &Decorations) {
+        let lamps = self.lamps.fixed();
+        if lamps.is_empty() {
+            return;
+        }
+        let ranges = levels::ranges(&self.ground.map);
+        let travel = |plane: (u32, levels::Plane)| {
+            let rest = self.ground.height(plane.0, plane.1);
+            ranges.get(&plane).copied().unwrap_or([rest; 2]).map(|height| height - rest)
+        };
+        let below = |thing: &levels::Thing| {
+            self.ground.sector(thing.place).map(|sector| (sector, levels::Plane::Floor))
+        };
+        let clear: Vec<bool> = (level.materials.iter().zip(&level.surfaces))
+            .map(|(material, surface)| {
+                self.is_own && art::finished(material.into(), *surface).transmittance > 0.0
+            })
+            .collect();
+        let is_clear = |material: u32| clear[material as usize];
+        let mut blockers = Blockers::default();
+        blockers.add_mesh(&decorations.mesh, |_| false);
+        self.portals.iter().for_each(|portal| blockers.add_polygon(&portal.corners));
+        for part in &level.parts {
+            let lies_on =
+                part.thing.and_then(|thing| below(&self.ground.map.things[thing as usize]));
+            if part.is_fixed() {
+                blockers.add_mesh(&part.mesh, is_clear);
+            } else if let Some((low, high)) = part.mesh.bounds() {
+                let [down, up] = part.moves_with.or(lies_on).map_or([0.0; 2], travel);
+                blockers.add_box(low + DVec3::Y * down, high + DVec3::Y * up);
+            }
+        }
+        for thing in &self.ground.map.things {
+            if let Some(plane) = below(thing)
+                && let floor = self.ground.height(plane.0, plane.1)
+                && let Some([low, high]) =
+                    Goals::sphere_box(thing, travel(plane).map(|by| floor + by))
+            {
+                blockers.add_box(low, high);
+            }
+        }
+        let shafts = blockers.around(&lamps);
+        for part in level.parts.iter_mut().filter(|part| part.is_fixed()) {
+            part.mesh.visibility = shafts.visibility(&part.mesh, is_clear);
+        }
     }
 
     /// Adds the meshes of a level. Returns those that show a thing of the map which can be taken.
@@ -314,7 +364,7 @@ impl Game for Station {
     fn set_up(&mut self, world: &mut World, start: &Start) -> Result<(), WorldError> {
         world.set_name(NAME);
         self.is_own = self.opened.is_none();
-        let (map, plan, level) = match self.opened.take() {
+        let (map, plan, mut level) = match self.opened.take() {
             Some(opened) => opened,
             None => {
                 let map = plan::map(&mut start.random());
@@ -326,12 +376,16 @@ impl Game for Station {
         self.spent = vec![false; map.lines.len()];
         self.ground = Ground::new(map, plan);
         self.automap = Automap::of(&self.ground);
-        let with_sprites = level.with_sprites.clone();
-        let things = self.add_level(world, level)?;
-        self.lamps = Lamps::add(&self.ground, &with_sprites, world)?;
+        let (lamps, decorations) = Lamps::of(&self.ground, &level.with_sprites);
+        self.lamps = lamps;
         if self.is_own {
-            self.portals = Portal::add(&self.ground, world)?;
+            self.portals = Portal::all(&self.ground);
         }
+        self.find_visibility(&mut level, &decorations);
+        let things = self.add_level(world, level)?;
+        decorations.finish(world)?;
+        self.lamps.add(world)?;
+        self.portals.iter().try_for_each(|portal| portal.add(world))?;
         self.goals = Goals::add(&self.ground, &things, world)?;
         let begins = |kind: &u16| self.ground.map.things.iter().find(|thing| thing.kind == *kind);
         if let Some(&begin) = BEGINNINGS.iter().find_map(begins) {

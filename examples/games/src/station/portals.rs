@@ -17,14 +17,16 @@ pub struct Portal {
     sum: DVec2,
     /// How much higher it is beyond.
     pub rise: f64,
+    /// Its corners, counter-clockwise as seen from in front.
+    pub corners: [DVec3; 4],
 }
 
 /// By how much whoever walks into one turns, in radians.
 pub const TURN: f64 = PI;
 
 impl Portal {
-    /// Adds all to the world.
-    pub fn add(ground: &Ground, world: &mut World) -> Result<Vec<Self>, WorldError> {
+    /// All portals.
+    pub fn all(ground: &Ground) -> Vec<Self> {
         let place = |[x, y]: Point| DVec2::new(f64::from(x), f64::from(y));
         let lines = PORTALS.map(|ends| ends.map(place));
         let rests = lines.map(|[left, right]| {
@@ -36,25 +38,25 @@ impl Portal {
         let mut portals = Vec::new();
         for (from, to) in [(0, 1), (1, 0)] {
             let ((middle, [floor, ceiling]), (other, [beyond, _])) = (rests[from], rests[to]);
-            let (sum, rise) = (middle + other, beyond - floor);
-            let shader =
-                Shader::Portal { by: Ground::in_space(sum, rise), turn: TURN.to_degrees() };
-            let material =
-                world.add_material(Material { shader, ..Material::matte(1.0, 1.0, 1.0) })?;
             let [left, right] = lines[from];
-            let corners: [DVec3; 4] = [
-                Ground::in_space(left, floor),
-                Ground::in_space(right, floor),
-                Ground::in_space(right, ceiling),
-                Ground::in_space(left, ceiling),
-            ];
-            world.add_polygon(&corners, material)?;
+            let corners = [(left, floor), (right, floor), (right, ceiling), (left, ceiling)];
+            let corners = corners.map(|(end, height)| Ground::in_space(end, height));
             let is_there = |ends: [DVec2; 2]| ends == [left, right] || ends == [right, left];
             let mut all = (0..).zip(&ground.map.lines);
             let line = all.find(|(_, line)| is_there(ground.map.places(line)));
-            portals.extend(line.map(|(line, _)| Self { line, sum, rise }));
+            let (sum, rise) = (middle + other, beyond - floor);
+            portals.extend(line.map(|(line, _)| Self { line, sum, rise, corners }));
         }
-        Ok(portals)
+        portals
+    }
+
+    /// Adds it to the world.
+    pub fn add(&self, world: &mut World) -> Result<(), WorldError> {
+        let by = Ground::in_space(self.sum, self.rise);
+        let shader = Shader::Portal { by, turn: TURN.to_degrees() };
+        let material = world.add_material(Material { shader, ..Material::matte(1.0, 1.0, 1.0) })?;
+        world.add_polygon(&self.corners, material)?;
+        Ok(())
     }
 
     /// The place beyond it of one at it.

@@ -65,7 +65,7 @@ pub fn decoration(kind: u16) -> Option<Decoration> {
 /// tree, which then can't be refitted when doors move.
 #[derive(Default)]
 pub struct Decorations {
-    mesh: Mesh,
+    pub mesh: Mesh,
     materials: Vec<Material>,
 }
 

@@ -168,6 +168,23 @@ fn colours_are_stored_with_vertices() {
 }
 
 #[test]
+fn visibility_is_stored_with_triangles() {
+    let materials = materials();
+    for rows in [2, 5, 40] {
+        let mut mesh = ball(rows);
+        mesh.visibility = (0..mesh.triangles.len())
+            .map(|it| scenes::Visibility { lit: (it * 40_503) as u16, dark: it as u16 })
+            .collect();
+        let plain = MeshBlocks::new(&mesh, &MeshObjects::default(), &materials).unwrap();
+        assert!(!plain.has_visibility(), "there are no colours");
+        mesh.colours = vec![[0.5; 3]; mesh.positions.len()];
+        let blocks = MeshBlocks::new(&mesh, &MeshObjects::default(), &materials).unwrap();
+        assert!(blocks.has_visibility());
+        check(&mesh, &materials, &blocks);
+    }
+}
+
+#[test]
 fn blocks_are_full() {
     let blocks = checked(&ball(100));
     let statistics = blocks.statistics();

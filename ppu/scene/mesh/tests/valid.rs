@@ -6,8 +6,8 @@ use glam::Vec3;
 use protocol::layout::{
     Boxes, Cone, MESH_BLOCK, MESH_CONES, MESH_FACES, MESH_INNER, MESH_LEAF, MESH_LEVELS,
     MESH_MAGIC, MESH_RUN, MESH_SPHERES, MESH_UPPER, MESH_VERTICES, MeshColour, MeshCoordinates,
-    MeshFace, MeshHeader, MeshVertex, NO_BOX, Object, SIDES_BOTH, SIDES_COLOURED, SIDES_SMOOTH,
-    SIDES_TEXTURED, SIDES_WIDE,
+    MeshFace, MeshHeader, MeshVertex, MeshVisibility, NO_BOX, Object, SIDES_BOTH, SIDES_COLOURED,
+    SIDES_SMOOTH, SIDES_TEXTURED, SIDES_VISIBILITY, SIDES_WIDE,
 };
 use scenes::{Material, Mesh};
 use zerocopy::FromBytes as _;
@@ -25,6 +25,7 @@ pub struct Parts {
     pub faces: Vec<MeshFace>,
     pub coordinates: Vec<MeshCoordinates>,
     pub colours: Vec<MeshColour>,
+    pub visibility: Vec<MeshVisibility>,
     /// The upper bytes of the faces' materials, or zeros.
     pub upper: Vec<u8>,
 }
@@ -61,6 +62,12 @@ impl Parts {
         let colours = if is_coloured { vertices.len() } else { 0 };
         let (colours, rest) =
             <[MeshColour]>::ref_from_prefix_with_elems(&rest[gap..], colours).unwrap();
+        let is_marked = header.sides.get() & SIDES_VISIBILITY != 0;
+        let gap = if is_marked { rest.len() % 16 } else { 0 };
+        assert!(rest[..gap].iter().all(|&byte| byte == 0), "block {number}");
+        let visibility = if is_marked { faces.len() } else { 0 };
+        let (visibility, rest) =
+            <[MeshVisibility]>::ref_from_prefix_with_elems(&rest[gap..], visibility).unwrap();
         let is_wide = header.sides.get() & SIDES_WIDE != 0;
         let mut upper = vec![0; faces.len()];
         let (rest, following) = match is_wide {
@@ -80,6 +87,7 @@ impl Parts {
             faces: faces.to_vec(),
             coordinates: coordinates.to_vec(),
             colours: colours.to_vec(),
+            visibility: visibility.to_vec(),
             upper,
         }
     }
@@ -129,9 +137,9 @@ impl Parts {
     }
 }
 
-/// What was found in the blocks: each triangle of the mesh by its corners, its material, and
-/// whether it is smooth or seen from both sides.
-type Found = HashMap<([[u32; 3]; 3], u32, u32), usize>;
+/// What was found in the blocks: each triangle of the mesh by its corners, its material, its sides
+/// and the visibility of lights.
+type Found = HashMap<([[u32; 3]; 3], u32, u32, [u16; 2]), usize>;
 
 /// Checks all blocks against the mesh that they were made of.
 pub fn check(mesh: &Mesh, materials: &[Material], blocks: &MeshBlocks) {
@@ -164,8 +172,14 @@ pub fn check(mesh: &Mesh, materials: &[Material], blocks: &MeshBlocks) {
         }
         if !mesh.colours.is_empty() {
             sides |= SIDES_COLOURED;
+            if !mesh.visibility.is_empty() {
+                sides |= SIDES_VISIBILITY;
+            }
         }
-        *wanted.entry((bits(corners), material, sides)).or_default() += 1;
+        let known = mesh.visibility.get(triangle).filter(|_| !mesh.colours.is_empty());
+        let known = known.map_or([0; 2], |known| [known.dark, known.lit]);
+        let key = (bits(corners), material, sides, known);
+        *wanted.entry(key).or_default() += 1;
     }
     assert_eq!(found, wanted);
     assert_eq!(bounds, whole);
@@ -256,7 +270,9 @@ fn leaf(
             let number = u16::from_be_bytes([parts.upper[face as usize], lower]);
             let material = blocks.materials()[usize::from(number)];
             let sides = parts.header.sides.get() & !SIDES_WIDE;
-            *found.entry((bits(corners), material, sides)).or_default() += 1;
+            let known = parts.visibility.get(face as usize);
+            let known = known.map_or([0; 2], |it| [it.dark.get(), it.lit.get()]);
+            *found.entry((bits(corners), material, sides, known)).or_default() += 1;
         }
         assert_eq!(own, bounds);
         next += count;

@@ -5,3 +5,4 @@ mod freedoom;
 mod geometry;
 mod maker;
 mod mutated;
+mod shafts;

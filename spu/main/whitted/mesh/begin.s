@@ -103,7 +103,7 @@ no_textures:
         and     $value,$value,$limit
         brz     $value,begun
         lqa     $k_sides,sides_known
-        ilhu    $k_more,SIDES_COLOURED>>16
+        ilhu    $k_more,(SIDES_COLOURED|SIDES_VISIBILITY)>>16
         or      $k_sides,$k_sides,$k_more
         stqa    $k_sides,sides_known
         ila     $a_frame,frame

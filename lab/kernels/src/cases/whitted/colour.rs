@@ -10,7 +10,7 @@ use super::isect::sphere::FRONT;
 use super::smooth;
 use super::texture::{any_surfaces, set_colour};
 use crate::prelude::*;
-use protocol::layout::SIDES_COLOURED;
+use protocol::layout::{SIDES_COLOURED, SIDES_VISIBILITY};
 
 /// Patches of a batch.
 const PATCHES: usize = 128;
@@ -28,7 +28,8 @@ pub fn kernels() -> Vec<Kernel> {
                 plane: point([0.0, 0.0, 1.0]),
                 colour: [ONE; 3],
             };
-            Coloured { hits: [Some(hit); 16], are_roots: true, anything: 0 }
+            let known = [Some(5); 16];
+            Coloured { hits: [Some(hit); 16], known, are_roots: true, anything: 0 }
         })])
         .error(error),
     ]
@@ -39,12 +40,14 @@ fn slot(lane: usize) -> usize {
     lane * 37 % PATCHES
 }
 
-fn record(hit: Option<&Hit>, anything: u32) -> layout::Patch {
+fn record(hit: Option<&Hit>, is_known: bool, anything: u32) -> layout::Patch {
     let vertices = hit.map_or([[anything; 3]; 3], |hit| hit.vertices);
     let [a, b, c] = vertices.map(|vertex| quad(vertex, anything));
     let coloured = if hit.is_some() { SIDES_COLOURED } else { 0 };
     let mut object = head_words([anything; 3], [anything; 3], anything, FRONT, anything);
-    object[11] = U32::new(anything & !SIDES_COLOURED | coloured);
+    let known = if is_known { SIDES_VISIBILITY } else { 0 };
+    let sides = anything & !(SIDES_COLOURED | SIDES_VISIBILITY) | coloured | known;
+    object[11] = U32::new(sides);
     let triangle = layout::Triangle { object, a, b, c };
     let [normal_a, normal_b, normal_c] = [quad([anything; 3], anything); 3];
     layout::Patch { triangle: zerocopy::transmute!(triangle), normal_a, normal_b, normal_c }
@@ -55,6 +58,8 @@ fn record(hit: Option<&Hit>, anything: u32) -> layout::Patch {
 pub struct Coloured {
     /// The hits.
     pub hits: [Option<Hit>; 16],
+    /// The visibility of lights there, if it is known.
+    pub known: [Option<u32>; 16],
     /// Whether the vertices' colours are square roots of light.
     pub are_roots: bool,
     /// Fills everything else.
@@ -65,31 +70,32 @@ impl Description for Coloured {
     const KERNEL: &'static str = "colour_vertices_r16";
     const ROUNDS: [usize; 2] = [300, 1000];
     const LENGTHS: &'static [usize] = &[1];
-    type Placed = Place;
-    type Found = Bits<Surfaces>;
+    type Placed = [Place; 2];
+    type Found = (Bits<Surfaces>, [u32; 16], u32);
 
     fn sensible(_: usize, random: &mut ChaCha8Rng) -> Self {
         let scale = SCALES[random.random_range(0..SCALES.len())];
         let hits = [(); 16].map(|()| random.random_ratio(3, 4).then(|| any_hit(random, scale)));
-        Self { hits, are_roots: random.random(), anything: random.random() }
+        let known = [(); 16].map(|()| random.random_ratio(1, 2).then(|| random.random()));
+        Self { hits, known, are_roots: random.random(), anything: random.random() }
     }
 
     fn any(_: usize, random: &mut ChaCha8Rng) -> Self {
         let hits = [(); 16].map(|()| Some(any_bits(random)));
-        Self { hits, are_roots: random.random(), anything: random.random() }
+        let known = [(); 16].map(|()| Some(random.random()));
+        Self { hits, known, are_roots: random.random(), anything: random.random() }
     }
 
-    fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
-        let Self { hits, are_roots, anything } = self;
+    fn place(&self, bench: &mut Bench) -> ([Place; 2], Vec<u32>) {
+        let Self { hits, known, are_roots, anything } = self;
         let anything = *anything;
-        let mut patches = [record(None, anything); PATCHES];
+        let mut patches = [record(None, false, anything); PATCHES];
         let mut colours = [[U32::new(anything); 4]; PATCHES];
         for (lane, hit) in hits.iter().enumerate() {
-            patches[slot(lane)] = record(hit.as_ref(), anything);
-            if let Some(hit) = hit {
-                let [a, b, c] = hit.colours.map(U32::new);
-                colours[slot(lane)] = [a, b, c, U32::new(anything)];
-            }
+            patches[slot(lane)] = record(hit.as_ref(), known[lane].is_some(), anything);
+            let words = hit.map_or([anything; 3], |hit| hit.colours);
+            let [a, b, c] = words.map(U32::new);
+            colours[slot(lane)] = [a, b, c, U32::new(known[lane].unwrap_or(anything))];
         }
         let patches = put(bench, &patches);
         let colours = put(bench, &colours);
@@ -101,23 +107,26 @@ impl Description for Coloured {
         });
         let rays = put(bench, &[call::packet(&rays, anything)]);
         let surfaces = put(bench, &[surfaces(hits, anything)]);
+        let found = put(bench, &[[U32::new(anything); 16]]);
         let are_roots = if *are_roots { u32::MAX } else { 0 };
         let arguments = [rays, surfaces, colours, patches].map(|place| place.address);
-        (surfaces, [&arguments[..], &[are_roots]].concat())
+        ([surfaces, found], [&arguments[..], &[are_roots, found.address]].concat())
     }
 
-    fn found(&self, bench: &Bench, placed: &Place, _: u32) -> Bits<Surfaces> {
-        Bits(bench.read(*placed))
+    fn found(&self, bench: &Bench, placed: &[Place; 2], returned: u32) -> Self::Found {
+        let known: [U32; 16] = bench.read(placed[1]);
+        (Bits(bench.read(placed[0])), known.map(U32::get), returned)
     }
 
-    fn twin(&self, _: &Place) -> Bits<Surfaces> {
+    fn twin(&self, _: &[Place; 2]) -> Self::Found {
         let mut expected = surfaces(&self.hits, self.anything);
         for (lane, hit) in self.hits.iter().enumerate() {
             if let Some(hit) = hit {
                 set_colour(&mut expected, lane, interpolated(hit, self.are_roots));
             }
         }
-        Bits(expected)
+        let known = self.known.map(Option::unwrap_or_default);
+        (Bits(expected), known, known.iter().fold(0, |all, mask| all | mask))
     }
 }
 
@@ -175,7 +184,9 @@ fn error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
         for scale in SCALES {
             let hits: [Hit; 16] = std::array::from_fn(|_| any_hit(random, scale));
             let anything = random.random();
-            let Bits(surfaces) = Coloured { hits: hits.map(Some), are_roots, anything }.call(bench);
+            let hits_of = hits.map(Some);
+            let call = Coloured { hits: hits_of, known: [None; 16], are_roots, anything };
+            let (Bits(surfaces), ..) = call.call(bench);
             let rows = [surfaces.red, surfaces.green, surfaces.blue];
             for (lane, hit) in hits.iter().enumerate() {
                 for (row, exact) in rows.iter().zip(truth(hit, are_roots)) {

@@ -22,7 +22,8 @@ fn colours_at_vertices() {
             };
             let hits = [Some(hit); 16];
             for are_roots in [false, true] {
-                let Bits(found) = Coloured { hits, are_roots, anything: 0 }.check(&mut bench);
+                let call = Coloured { hits, known: [None; 16], are_roots, anything: 0 };
+                let (Bits(found), ..) = call.check(&mut bench);
                 if colours == [white; 3] {
                     assert_eq!(found.as_bytes(), surfaces(&hits, 0).as_bytes());
                     continue;
