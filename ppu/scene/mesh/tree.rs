@@ -23,7 +23,7 @@ const BINS: usize = 16;
 /// many vertices are on their border, and pieces that don't fit become two blocks.
 const FILL: f64 = 0.82;
 /// Nodes of a leaf block with two levels.
-const LEAF_NODES: usize = 5;
+pub(super) const LEAF_NODES: usize = 5;
 /// Spheres or cones of a leaf block: four for each of its lowest nodes.
 const OBJECTS: usize = WIDTH * (LEAF_NODES - 1);
 /// Pieces of at most this number of blocks are divided into whole blocks.
