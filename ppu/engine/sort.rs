@@ -8,7 +8,7 @@ use zerocopy::big_endian::U32;
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use super::build::describe;
-use crate::scene::mesh::{SortedMesh, join_made};
+use crate::scene::mesh::SortedMesh;
 use crate::shared::SharedMemory;
 
 /// The records of a mesh that is built, and its blocks.
@@ -133,11 +133,12 @@ impl Sort {
         if self.is_sorted {
             return;
         }
+        let Some(mesh) = self.mesh.take() else { return };
         self.bounds.read(0, self.around.as_mut_bytes());
         let new_blocks = &mut self.new_blocks;
-        join_made(&self.around, |number, block| {
+        mesh.join_made(&self.around, |number, block| {
             new_blocks.write(number * MESH_BLOCK as usize, block);
         });
-        self.version = self.mesh.take().map(|mesh| mesh.version());
+        self.version = Some(mesh.version());
     }
 }

@@ -362,10 +362,11 @@ impl Streamed {
         if !is_near(DVec3::ZERO, [low, high]) {
             return false;
         }
-        let blocks = Arc::make_mut(&mut self.blocks);
-        blocks.make_space(sorted);
+        if self.blocks.count() != sorted.most_blocks() {
+            Arc::make_mut(&mut self.blocks).make_space(sorted);
+        }
         if *by == BuildBy::PpuCodes {
-            blocks.make_sorted(&Mesh::default(), sorted);
+            Arc::make_mut(&mut self.blocks).make_sorted(&Mesh::default(), sorted);
         }
         self.bounds = [low, high].map(|corner| self.origin + corner);
         self.wasted_pictures = 0.0;

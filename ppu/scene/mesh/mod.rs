@@ -55,7 +55,6 @@ pub(in crate::scene) use self::moving::MovingObjects;
 pub(in crate::scene) use self::objects::MeshObject;
 pub use self::objects::MeshObjects;
 pub use self::sorted::SortedMesh;
-pub(crate) use self::sorted::join_made;
 pub use self::sphere::MeshSphere;
 pub use self::statistics::MeshStatistics;
 pub(crate) use self::write::header as block_header;

@@ -12,7 +12,6 @@ use zerocopy::big_endian::U32;
 
 use super::moved::{Line, MovedVertices, memory};
 use super::objects::MeshObject;
-use super::pack::corners;
 use super::sorted::{Grid, MOST_TRIANGLES, Sorted, SortedMesh};
 use super::tree::Bounds;
 use super::{MeshBlocks, MeshStatistics, NumberWidth, Numbers};
@@ -74,15 +73,17 @@ impl MovingObjects {
     /// `None` if there are none.
     pub fn apply(&mut self, sorted: &mut SortedMesh) -> Option<[DVec3; 2]> {
         if std::mem::take(&mut self.are_others_shown) {
-            sorted.list(self.shown().map(|slot| slot.element()));
+            sorted.list(self.shown().map(Slot::element));
         }
         self.are_changed = false;
         sorted.vertices.are_others();
-        sorted.find_grid();
-        let corners = self.shown().map(|slot| slot.corners);
-        corners.reduce(|[low, high], [other_low, other_high]| {
-            [low.min(other_low), high.max(other_high)]
-        })
+        let around =
+            self.shown().map(|slot| slot.corners).reduce(|[low, high], [other_low, other_high]| {
+                [low.min(other_low), high.max(other_high)]
+            });
+        let [low, high] = around?.map(|corner| corner.as_vec3());
+        sorted.grid = Grid::new(Bounds { low, high });
+        around
     }
 
     fn shown(&self) -> impl Iterator<Item = &Slot> {
@@ -120,16 +121,6 @@ impl SortedMesh {
             }
             self.count += 1;
         }
-    }
-
-    fn find_grid(&mut self) {
-        let points = self.triangles().flat_map(|element| {
-            let [first, _, last] = corners(&element);
-            [first, last].map(|place| self.vertices.position(place).into())
-        });
-        let around =
-            points.fold(Bounds::EMPTY, |around, it| around.with(Bounds { low: it, high: it }));
-        self.grid = Grid::new(around);
     }
 }
 
@@ -182,13 +173,13 @@ impl MeshBlocks {
         let mut moving =
             MovingObjects { slots, materials, are_changed: true, are_others_shown: true };
         moving.apply(&mut sorted);
-        let most = 2 * Sorted::Objects.most_leaves(sorted.count);
+        let most = sorted.most_blocks();
         let blocks = Self { statistics, ..Self::unmade(&Mesh::default(), used, most) };
         Some((blocks, sorted, moving))
     }
 
     /// Makes space for the blocks of what is sorted.
     pub(crate) fn make_space(&mut self, sorted: &SortedMesh) {
-        self.most = 2 * sorted.what.most_leaves(sorted.count);
+        self.most = sorted.most_blocks();
     }
 }

@@ -13,7 +13,7 @@ use zerocopy::{FromBytes as _, IntoBytes as _};
 
 use super::pack_objects::pack_objects;
 use super::refit::refit;
-use super::sorted::{Sorted, SortedMesh, join};
+use super::sorted::{Sorted, SortedMesh};
 use super::tree::{Bounds, Piece};
 use super::write::{RUN_SHIFT, header, no_boxes, offset};
 use super::{Block, MeshBlocks};
@@ -72,7 +72,7 @@ impl MeshBlocks {
             }
         }
         self.statistics.leaves = leaves.len();
-        join(leaves, |number, block| self.blocks[number].0.copy_from_slice(block));
+        sorted.what.join(leaves, |number, block| self.blocks[number].0.copy_from_slice(block));
         self.cost_when_built = self.cost;
     }
 }

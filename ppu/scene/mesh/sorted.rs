@@ -10,8 +10,8 @@
 //! Invariant: a range has at most [`BUILD_CHUNK`] triangles, whatever the codes are.
 
 use protocol::layout::{
-    BUILD_CHUNK, BUILD_FEWEST, BUILD_PACK, BUILD_PACK_OBJECTS, BuildTriangle, BuildUnit,
-    MESH_MATERIALS, SIDES_BOTH, SIDES_SMOOTH,
+    BUILD_CHUNK, BUILD_FEWEST, BUILD_PACK, BUILD_PACK_OBJECTS, BuildBounds, BuildTriangle,
+    BuildUnit, MESH_MATERIALS, SIDES_BOTH, SIDES_SMOOTH,
 };
 use scenes::{Material, Mesh};
 use zerocopy::FromZeros as _;
@@ -121,6 +121,11 @@ impl SortedMesh {
         self.grid
     }
 
+    /// The most blocks, with those above the leaves.
+    pub(crate) fn most_blocks(&self) -> u32 {
+        2 * self.what.most_leaves(self.count)
+    }
+
     /// The task by which SPUs pack them.
     pub(crate) fn pack_task(&self) -> u32 {
         match self.what {
@@ -195,8 +200,6 @@ impl MeshBlocks {
             return None;
         }
         let count = count as u32;
-        let most = 2 * Sorted::Triangles.most_leaves(count);
-        let blocks = Self::unmade(mesh, used, most);
         let mut sorted = SortedMesh {
             what: Sorted::Triangles,
             vertices: MovedVertices::default(),
@@ -204,6 +207,7 @@ impl MeshBlocks {
             count,
             grid: Grid::default(),
         };
+        let blocks = Self::unmade(mesh, used, sorted.most_blocks());
         sorted.move_to(mesh, &blocks).then_some((blocks, sorted))
     }
 }
@@ -325,22 +329,27 @@ impl SortedMesh {
     }
 }
 
-/// Makes the blocks above leaf blocks, whose numbers are the pieces' indices, and calls `store`
-/// with the number and the bytes of each.
-pub(super) fn join(leaves: Vec<Piece>, store: impl FnMut(usize, &[u8])) {
-    let nothing = Mesh::default();
-    let count = leaves.len();
-    let mut tree = Tree::new(&nothing, leaves, NumberWidth::Byte);
-    let root = tree.grow(Kind::Blocks, 0..count);
-    above(&tree, root, store);
+impl Sorted {
+    /// Makes the blocks above leaf blocks, which are in the order of codes and whose numbers are the
+    /// pieces' indices, and calls `store` with the number and the bytes of each.
+    pub(super) fn join(self, leaves: Vec<Piece>, store: impl FnMut(usize, &[u8])) {
+        let nothing = Mesh::default();
+        let count = leaves.len();
+        let mut tree = Tree::new(&nothing, leaves, NumberWidth::Byte);
+        let root = match self {
+            Self::Triangles => tree.grow(Kind::Blocks, 0..count),
+            // They need blocks for so few that the PPU's time counts more than the rays' tests.
+            Self::Objects => tree.grow_in_order(0..count),
+        };
+        above(&tree, root, store);
+    }
 }
 
-/// [`join`] for leaf blocks that SPUs have made.
-pub(crate) fn join_made(bounds: &[protocol::layout::BuildBounds], store: impl FnMut(usize, &[u8])) {
-    let made = bounds.iter().zip(0..).filter(|(bounds, _)| bounds.unused.get() == 0);
-    let piece = |(bounds, index): (&protocol::layout::BuildBounds, u32)| Piece {
-        bounds: bounds.into(),
-        index,
-    };
-    join(made.map(piece).collect(), store);
+impl SortedMesh {
+    /// [`Sorted::join`] for leaf blocks that SPUs have made.
+    pub(crate) fn join_made(&self, bounds: &[BuildBounds], store: impl FnMut(usize, &[u8])) {
+        let made = bounds.iter().zip(0..).filter(|(bounds, _)| bounds.unused.get() == 0);
+        let pieces = made.map(|(bounds, index)| Piece { bounds: bounds.into(), index });
+        self.what.join(pieces.collect(), store);
+    }
 }
