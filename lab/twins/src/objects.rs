@@ -37,7 +37,7 @@ pub struct Packed {
     pub bytes: u32,
 }
 
-/// Packs the first objects, where `records` have so many quadwords; `None` if one is not there.
+/// Packs the first objects; `None` if one is not among the records, which have `quads` quadwords.
 #[must_use]
 pub fn pack(objects: &[Triangle], number: u32, quads: u32) -> Option<Packed> {
     let cone = objects[0][2] & IS_CONE;
@@ -130,7 +130,7 @@ fn of_cone(record: &[u32]) -> Corners {
         // How far a disc of radius 1 across the axis reaches, or a little farther.
         let square = fnms(along, along, ONE);
         let tangents = TANGENTS.map(|[slope, start]| fma(square, slope, start));
-        let across = tangents[1..].iter().fold(tangents[0], |least, it| minimum(least, *it));
+        let across = tangents[1..].iter().fold(tangents[0], |lowest, it| minimum(lowest, *it));
         let apex = fma(along, height, base);
         let low = minimum(fnms(across, radius, base), fnms(across, top, apex));
         let high = maximum(fma(across, radius, base), fma(across, top, apex));

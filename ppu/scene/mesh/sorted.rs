@@ -1,6 +1,6 @@
 //! A mesh whose leaf blocks are made of its triangles in the order of codes, by SPUs or in the same
-//! way by this program ([`pack`](super::pack)): for meshes whose triangles are new in each frame. Or
-//! spheres and cones that move ([`moving`](super::moving)), which are treated as triangles here.
+//! way by this program ([`pack`](super::pack)): for meshes whose triangles are new in each frame.
+//! Spheres and cones that move ([`moving`](super::moving)) are treated as triangles here.
 //!
 //! A code has the bits of a triangle's centroid in turn, so triangles with near codes are near
 //! each other. Chunks of triangles are sorted first. Then the codes are divided into ranges, about
@@ -80,7 +80,7 @@ fn whole(number: f32, scale: f32) -> i32 {
     (coordinate(number).get() * scale) as i32
 }
 
-/// What is sorted.
+/// The kind of shapes that are sorted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sorted {
     Triangles,
@@ -213,8 +213,8 @@ impl MeshBlocks {
 }
 
 impl Sorted {
-    /// The most leaf blocks of so many. Their numbers begin with this one: smaller ones are left
-    /// for the blocks above.
+    /// The maximum number of leaf blocks of `count` shapes. Their numbers begin with this one:
+    /// smaller ones are left for the blocks above.
     pub(super) fn most_leaves(self, count: u32) -> u32 {
         let Division { chunk, step, in_range } = Division::of(count);
         let chunks = count.div_ceil(chunk);
@@ -267,8 +267,8 @@ impl SortedMesh {
         (0..triangles).step_by(size as usize).map(unit).collect()
     }
 
-    /// The units that pack ranges of triangles, and the words that list the parts of sorted chunks that
-    /// are in each. `code` is that of a triangle in the sorted chunks.
+    /// The units that pack ranges of triangles, and the words that list the parts of sorted chunks
+    /// that are in each. `code` is that of a triangle in the sorted chunks.
     pub(crate) fn ranges(&self, code: impl Fn(u32) -> u32) -> (Vec<BuildUnit>, Vec<U32>) {
         let triangles = self.count;
         let Division { chunk, step, in_range } = Division::of(triangles);
@@ -330,8 +330,8 @@ impl SortedMesh {
 }
 
 impl Sorted {
-    /// Makes the blocks above leaf blocks, which are in the order of codes and whose numbers are the
-    /// pieces' indices, and calls `store` with the number and the bytes of each.
+    /// Makes the blocks above leaf blocks, which are in the order of codes and whose numbers are
+    /// the pieces' indices, and calls `store` with the number and the bytes of each.
     pub(super) fn join(self, leaves: Vec<Piece>, store: impl FnMut(usize, &[u8])) {
         let nothing = Mesh::default();
         let count = leaves.len();

@@ -265,8 +265,8 @@ fn split(pieces: &mut [Piece], capacity: usize) -> usize {
     first
 }
 
-/// Where at least two pieces are divided with the minimum cost, with a quarter or more on each side.
-/// `areas` is a buffer.
+/// Where at least two pieces are divided with the minimum cost, with a quarter or more on each
+/// side. `areas` is a buffer.
 fn divide(pieces: &[Piece], areas: &mut Vec<f64>) -> usize {
     let count = pieces.len();
     let fewest = (count / 4).max(1);

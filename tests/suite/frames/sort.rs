@@ -72,7 +72,7 @@ struct Sort {
     sorted: Guarded,
     blocks: Guarded,
     bounds: Guarded,
-    /// What is sorted.
+    /// The triangles or objects to sort.
     elements: Vec<BuildTriangle>,
     triangles: SharedMemory,
     vertices: SharedMemory,

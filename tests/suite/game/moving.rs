@@ -124,7 +124,7 @@ fn late_transfers_make_the_same_blocks() {
 /// Without a choice, SPUs make the blocks from the first movement on, until the world has been at
 /// rest for long. Pictures are those of new scenes.
 #[test]
-fn objects_that_move_are_built_by_the_spus() {
+fn spus_build_moving_objects() {
     let [mut engine, mut other] = [3, 2].map(engine);
     let mut moving = Moving::of(&shapes(1500, 0, 0), None);
     moving.world.set_render_options(RenderOptions { refit_pictures: 2, ..Default::default() });

@@ -80,7 +80,7 @@ impl Description for PackObjects {
         let list = list[..objects as usize].to_vec();
         let records = list.iter().map(|it| it[1].wrapping_sub(self.low) >> 4).collect();
         let bytes = list.first().map_or(0, |it| it[0]);
-        (objects > 0).then(|| (Packed { block, records, bytes }, list))
+        (objects > 0).then_some((Packed { block, records, bytes }, list))
     }
 
     fn twin(&self, _: &[Place; 2]) -> Self::Found {
