@@ -6,8 +6,8 @@
 #   Uses    $3-$5, $10-$65   Saves  -   Stack  0   Calls  -
 #   Domain  a header with 1 to 16 objects; whatever the records have, nothing else is written
 #   Error   0: a box holds its sphere or its cone's rims but for the rounding of its corners, which
-#           boxes are widened for when they are traced. A cone's is larger by less than a fourteenth of
-#           the radius
+#           boxes are widened for when they are traced. A cone's is larger by less than a
+#           fourteenth of the radius
 #   Twin    lab/twins/src/objects.rs
 #
 # A disc across a cone's axis reaches as far along x as its radius times sqrt(1 - axis_x^2). The box
