@@ -13,7 +13,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use cellray::framebuffer::{Geometry, Memory};
-use cellray::game::{DAffine3, DVec3, Light, Material, Mesh, MeshId, World, WorldError};
+use cellray::game::{DAffine3, DVec3, Light, Material, Mesh, MeshId, ObjectId, World, WorldError};
 use cellray::scene::{BuildBy, RefitBy, RenderOptions, SceneBlock};
 use cellray::{Engine, Report, Settings};
 
@@ -273,8 +273,8 @@ fn host(world: &mut World) -> Result<f64, WorldError> {
 
 /// The median time of the host for scenes of objects that all move a little for each picture.
 fn objects() -> Result<(), Box<dyn Error>> {
-    println!("| objects that move | ms of the host |");
-    println!("|---|---|");
+    println!("| objects that move | ms of the host | with a new tree by the PPU |");
+    println!("|---|---|---|");
     for (count, name) in [
         (500, "triangles"),
         (700, "triangles"),
@@ -282,58 +282,112 @@ fn objects() -> Result<(), Box<dyn Error>> {
         (800, "spheres"),
         (1200, "spheres"),
         (4000, "spheres"),
+        (10_000, "spheres"),
     ] {
-        let (_, mut times) = moving(count, name, 31)?;
-        times.sort_by(f64::total_cmp);
-        println!("| {count} {name} | {:.2} |", times[times.len() / 2]);
-    }
-    Ok(())
-}
-
-/// Frames of spheres that all move, with shadows.
-fn spheres() -> Result<(), Box<dyn Error>> {
-    println!("| spheres that move | ms of a frame, 1280x720 | frames/s |");
-    println!("|---|---|---|");
-    for count in [1000, 10_000] {
-        let [_, frame] = traced(&mut moving(count, "spheres", 2)?.0, LARGE)?;
-        println!("| {count} | {frame:.1} | {:.1} |", 1e3 / frame);
-    }
-    Ok(())
-}
-
-/// A world of objects that have moved a little for each picture, and the host's milliseconds for
-/// the scenes after the first one, which is not a change.
-fn moving(count: u32, name: &str, pictures: u32) -> Result<(World, Vec<f64>), Box<dyn Error>> {
-    let mut world = World::new();
-    world.look_from([0.0, 5.0, 11.0], [0.0; 3])?;
-    world.add_light(Light::at(DVec3::new(6.0, 9.0, 7.0)))?;
-    let red = world.add_material(Material::matte(0.9, 0.3, 0.2))?;
-    let side = libm::ceil(libm::cbrt(f64::from(count))) as u32;
-    let place = |number: u32, picture: u32| {
-        let cell = [number % side, number / side % side, number / side / side];
-        let (sine, cosine) = libm::sincos(f64::from(number) + 0.1 * f64::from(picture));
-        let cell = DVec3::from_array(cell.map(f64::from)) / f64::from(side);
-        6.0 * (cell - DVec3::splat(0.5)) + 0.1 * DVec3::new(sine, cosine, -sine)
-    };
-    let mut ids = Vec::new();
-    for number in 0..count {
-        let middle = place(number, 0);
-        ids.push(match name {
-            "spheres" => world.add_sphere(middle, 0.1, red)?,
-            _ => {
-                let corners = [DVec3::X, DVec3::Y, DVec3::Z];
-                world.add_polygon(&corners.map(|corner| middle + 0.2 * corner), red)?
+        print!("| {count} {name} |");
+        for by in [None, Some(BuildBy::PpuSurfaces)] {
+            let mut swarm = Swarm::new(count, name, by)?;
+            let mut times = Vec::new();
+            for _ in 0..33 {
+                swarm.go_on()?;
+                times.push(host(&mut swarm.world)?);
             }
-        });
-    }
-    let mut times = Vec::new();
-    for picture in 0..pictures {
-        for (number, &id) in (0..).zip(&ids) {
-            world.move_to(id, place(number, picture))?;
+            // The first scenes are not changes.
+            let mut times = times.split_off(2);
+            times.sort_by(f64::total_cmp);
+            print!(" {:.2} |", times[times.len() / 2]);
         }
-        times.push(host(&mut world)?);
+        println!();
     }
-    Ok((world, times.split_off(1)))
+    Ok(())
+}
+
+/// Frames of spheres that all move, with shadows, and what the SPUs take of them to build the
+/// spheres' blocks; and frames after the PPU has built a tree.
+fn spheres() -> Result<(), Box<dyn Error>> {
+    println!(
+        "| spheres that move | six SPUs build their blocks, ms | cycles of an SPU a sphere | \
+         a frame with that, ms | frames/s | a frame with the PPU's tree, ms |"
+    );
+    println!("|---|---|---|---|---|---|");
+    for count in [1000, 10_000] {
+        let mut by_spus = Swarm::new(count, "spheres", None)?;
+        let settings = Settings { spus: SPUS, ..Settings::default() };
+        let picture = Memory::new(Geometry::new(LARGE.0, LARGE.1)?)?;
+        let mut engine = Engine::start(settings, Box::new(picture))?;
+        let mut report = Report::new("refit", LARGE, SPUS);
+        let mut built = 0;
+        for picture in 0..4 {
+            by_spus.go_on()?;
+            let scene = by_spus.world.scene(&Settings::default().program)?;
+            let traced = engine.render(scene, &mut |_| {})?;
+            // The first tree is the PPU's, and the tiles' costs are not measured yet.
+            if picture >= 2 {
+                built += traced.refit;
+                report.add(traced);
+            }
+        }
+        let ticks = built as f64 / f64::from(report.frames);
+        let cycles = ticks * CYCLES_A_TICK * f64::from(SPUS) / f64::from(count);
+        let of_build = match built {
+            0 => "in local store | -".to_owned(),
+            _ => format!("{:.3} | {cycles:.0}", 1e3 * ticks / TIMEBASE),
+        };
+        let frame = 1e3 / report.frames_per_second;
+        let mut by_ppu = Swarm::new(count, "spheres", Some(BuildBy::PpuSurfaces))?;
+        by_ppu.go_on()?;
+        let [_, of_ppu] = traced(&mut by_ppu.world, LARGE)?;
+        println!(
+            "| {count} | {of_build} | {frame:.1} | {:.1} | {of_ppu:.1} |",
+            report.frames_per_second,
+        );
+    }
+    Ok(())
+}
+
+/// A world of objects that move a little for each picture.
+struct Swarm {
+    world: World,
+    ids: Vec<ObjectId>,
+    picture: u32,
+}
+
+impl Swarm {
+    fn new(count: u32, name: &str, build_by: Option<BuildBy>) -> Result<Self, WorldError> {
+        let mut world = World::new();
+        world.set_render_options(RenderOptions { build_by, ..RenderOptions::default() });
+        world.look_from([0.0, 5.0, 11.0], [0.0; 3])?;
+        world.add_light(Light::at(DVec3::new(6.0, 9.0, 7.0)))?;
+        let red = world.add_material(Material::matte(0.9, 0.3, 0.2))?;
+        let add = |number| {
+            let middle = in_a_swarm(number, 0, count);
+            if name == "spheres" {
+                return world.add_sphere(middle, 0.1, red);
+            }
+            let corners = [DVec3::X, DVec3::Y, DVec3::Z];
+            world.add_polygon(&corners.map(|corner| middle + 0.2 * corner), red)
+        };
+        let ids = (0..count).map(add).collect::<Result<_, _>>()?;
+        Ok(Self { world, ids, picture: 0 })
+    }
+
+    fn go_on(&mut self) -> Result<(), WorldError> {
+        self.picture += 1;
+        for (number, &id) in (0..).zip(&self.ids) {
+            let place = in_a_swarm(number, self.picture, self.ids.len() as u32);
+            self.world.move_to(id, place)?;
+        }
+        Ok(())
+    }
+}
+
+/// The place of an object in a picture.
+fn in_a_swarm(number: u32, picture: u32, count: u32) -> DVec3 {
+    let side = libm::ceil(libm::cbrt(f64::from(count))) as u32;
+    let cell = [number % side, number / side % side, number / side / side];
+    let (sine, cosine) = libm::sincos(f64::from(number) + 0.1 * f64::from(picture));
+    let cell = DVec3::from_array(cell.map(f64::from)) / f64::from(side);
+    6.0 * (cell - DVec3::splat(0.5)) + 0.1 * DVec3::new(sine, cosine, -sine)
 }
 
 fn turned(turns: f64) -> DAffine3 {

@@ -1,15 +1,14 @@
-//! A mesh whose leaf blocks the SPUs make of its triangles before they trace a frame.
+//! A mesh whose leaf blocks the SPUs make of its triangles, or of spheres and cones, before they
+//! trace a frame.
 
 use std::sync::Arc;
 
-use protocol::layout::{
-    self, BUILD_PACK, BUILD_SORT, BuildBounds, BuildTriangle, Frame, MESH_BLOCK,
-};
+use protocol::layout::{self, BUILD_SORT, BuildBounds, BuildTriangle, Frame, MESH_BLOCK};
 use zerocopy::big_endian::U32;
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use super::build::describe;
-use crate::scene::mesh::{SortedMesh, chunks, join_made, ranges};
+use crate::scene::mesh::SortedMesh;
 use crate::shared::SharedMemory;
 
 /// The records of a mesh that is built, and its blocks.
@@ -18,7 +17,8 @@ pub(super) struct Sort {
     mesh: Option<Arc<SortedMesh>>,
     /// The maximum number of blocks of the mesh.
     blocks: u32,
-    task: u32,
+    /// Whether the SPUs have sorted the chunks of its triangles.
+    is_sorted: bool,
     /// A buffer for the bounds of all blocks.
     around: Vec<BuildBounds>,
     record: SharedMemory,
@@ -42,7 +42,7 @@ impl Sort {
         let mut sort = before.unwrap_or_else(|| Self {
             mesh: None,
             blocks,
-            task: BUILD_SORT,
+            is_sorted: false,
             around: Vec::new(),
             record: SharedMemory::new(size_of::<layout::Build>()),
             units: SharedMemory::new(0),
@@ -54,7 +54,7 @@ impl Sort {
         });
         if !sort.mesh.as_ref().is_some_and(|it| Arc::ptr_eq(it, mesh)) {
             // An error may have ended the frames for the mesh before.
-            sort.task = BUILD_SORT;
+            sort.is_sorted = false;
         }
         sort.mesh = Some(mesh.clone());
         sort.blocks = blocks;
@@ -88,11 +88,11 @@ impl Sort {
         self.version = None;
         let mesh = self.mesh.as_ref()?;
         let count = mesh.count();
-        let (units, words) = match self.task {
-            BUILD_SORT => (chunks(count), Vec::new()),
-            _ => {
-                let sorted = &self.sorted;
-                ranges(count, |at| sorted.peek_word(at as usize * size_of::<BuildTriangle>()))
+        let (task, (units, words)) = match self.is_sorted {
+            false => (BUILD_SORT, (mesh.chunks(), Vec::new())),
+            true => {
+                let code = |at| self.sorted.peek_word(at as usize * size_of::<BuildTriangle>());
+                (mesh.pack_task(), mesh.ranges(code))
             }
         };
         let grid = mesh.grid();
@@ -103,7 +103,7 @@ impl Sort {
             bounds: self.bounds.address().into(),
             vertex_count: mesh.vertices().count().into(),
             source_count: (words.len() as u32).into(),
-            task: self.task.into(),
+            task: task.into(),
             triangle_count: count.into(),
             triangles: mesh.address().into(),
             sorted: self.sorted.address().into(),
@@ -113,7 +113,7 @@ impl Sort {
             ..layout::Build::new_zeroed()
         };
         self.record.write(0, record.as_bytes());
-        if self.task == BUILD_PACK {
+        if self.is_sorted {
             // SPUs write 0 where they make a block.
             self.around.iter_mut().for_each(|bounds| bounds.unused = 1.into());
             self.bounds.write(0, self.around.as_bytes());
@@ -129,16 +129,16 @@ impl Sort {
 
     /// Goes on after a frame: makes the blocks above the leaves after the second one.
     pub fn finish(&mut self) {
-        if self.task == BUILD_SORT {
-            self.task = BUILD_PACK;
+        self.is_sorted = !self.is_sorted;
+        if self.is_sorted {
             return;
         }
-        self.task = BUILD_SORT;
+        let Some(mesh) = self.mesh.take() else { return };
         self.bounds.read(0, self.around.as_mut_bytes());
         let new_blocks = &mut self.new_blocks;
-        join_made(&self.around, |number, block| {
+        mesh.join_made(&self.around, |number, block| {
             new_blocks.write(number * MESH_BLOCK as usize, block);
         });
-        self.version = self.mesh.take().map(|mesh| mesh.version());
+        self.version = Some(mesh.version());
     }
 }

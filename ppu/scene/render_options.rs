@@ -26,7 +26,7 @@ pub enum RefitBy {
     Spus,
 }
 
-/// How the tree of a mesh is made.
+/// How the tree of a mesh is made, or that of spheres and cones in main memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BuildBy {
     /// By this program, with the surface area heuristic: rays need the fewest tests.
@@ -112,8 +112,9 @@ pub struct RenderOptions {
     /// Who refits it; without a choice, the SPUs if most of many vertices have moved.
     pub refit_by: Option<RefitBy>,
     /// How the tree of a mesh is made, if its triangles have neither textures nor colours of
-    /// vertices. Others are built with the surface area heuristic. Without a choice, so are those
-    /// of scenes, and those of worlds unless they need a new tree for each picture.
+    /// vertices, or that of spheres and cones, if there is no mesh. Others are built with the
+    /// surface area heuristic. Without a choice, so are those of scenes, and those of worlds unless
+    /// they need a new tree of a mesh for each picture, or their spheres and cones move.
     pub build_by: Option<BuildBy>,
     /// The volumes of the trees' nodes.
     pub volumes: NodeVolumes,

@@ -38,7 +38,7 @@ pub(super) fn check(image: &[u8]) -> Result<(), ProgramError> {
 
 /// The bytes that segments load to a range of load addresses, up to the last one's end there, in
 /// whole quadwords. The range's end is a multiple of a quadword. A load address is the one in local
-/// store, but for the code for cuts.
+/// store, but for the code for cuts and the code for leaf blocks.
 pub(super) fn loaded(image: &[u8], range: Range<u32>) -> Result<Vec<u8>, ProgramError> {
     let file = parse(image)?;
     let mut bytes = Vec::new();

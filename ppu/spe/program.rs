@@ -13,7 +13,7 @@ use protocol::layout::{
     BOX_CODE, BOX_CODE_CAPACITY, BUILD_CODE, BUILD_CODE_CAPACITY, COLOUR_CODE,
     COLOUR_CODE_CAPACITY, CUTS_CODE_CAPACITY, CUTS_CODE_LOAD, DEPTH_CODE, DEPTH_CODE_CAPACITY,
     EYE_CODE, EYE_CODE_CAPACITY, HEIGHT_CODE, HEIGHT_CODE_CAPACITY, MESH_CODE_CAPACITY,
-    TEXTURE_CODE, TEXTURE_CODE_CAPACITY,
+    OBJECTS_CODE_LOAD, TEXTURE_CODE, TEXTURE_CODE_CAPACITY,
 };
 
 /// Bytes with the alignment for the fastest transfers.
@@ -187,12 +187,18 @@ impl Program {
         elf::loaded(self.image, addresses).unwrap_or_default()
     }
 
-    /// The code that refits meshes: what is loaded from `BUILD_CODE` on. It is empty if the program
-    /// has none.
+    /// The code that refits and builds meshes: what is loaded from `BUILD_CODE` on, with the code
+    /// for spheres and cones in place of that for boxes. It is empty if the program has none.
     #[must_use]
     pub fn build_code(&self) -> Vec<u8> {
-        let addresses = BUILD_CODE..BUILD_CODE + BUILD_CODE_CAPACITY;
-        elf::loaded(self.image, addresses).unwrap_or_default()
+        let loaded = |first: u32, bytes: u32| {
+            elf::loaded(self.image, first..first + bytes).unwrap_or_default()
+        };
+        let mut code = loaded(BUILD_CODE, BUILD_CODE_CAPACITY);
+        let objects = loaded(OBJECTS_CODE_LOAD, BOX_CODE_CAPACITY);
+        let place = code.get_mut((BOX_CODE - BUILD_CODE) as usize..).unwrap_or_default();
+        place.iter_mut().zip(objects).for_each(|(byte, own)| *byte = own);
+        code
     }
 
     /// The ranges of its instructions in local store; empty if it has no sections.

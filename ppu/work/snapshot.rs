@@ -228,7 +228,8 @@ impl Snapshot {
             material != before.material(old, number) || (is_textured && !is_textured_as)
         };
         let any_is_other = (0..count).any(is_other);
-        if !new.has_ground_of(old) {
+        // Where SPUs have made the blocks, the PPU does not find the surfaces of a material.
+        if !new.has_ground_of(old) || any_is_other && new.moved.is_some() {
             return false;
         }
         if Arc::ptr_eq(&new.blocks, &old.blocks) && !any_is_other {

@@ -72,7 +72,7 @@ function build_blocks
         cg      $bad,$g_vertices_low,$value
         refuse_build_if $bad
         load_word $value,BUILD_task,$a_build
-        clgti   $bad,$value,BUILD_PACK
+        clgti   $bad,$value,BUILD_PACK_OBJECTS
         refuse_build_if $bad
         load_word $value,BUILD_triangle_count,$a_build
         clgt    $bad,$value,$limit
@@ -204,7 +204,7 @@ function build_sources
 unfit:  leave
 endfunction build_sources
 
-# build_finish   refits a block whose vertices are on their way, and sends it
+# build_finish   makes the boxes of a block whose vertices or objects are on their way, and sends it
 #   In      g_slot
 #   Uses    $3-$79
 function build_finish
@@ -213,7 +213,14 @@ function build_finish
         of_slot $3,A_BLOCKS,MESH_BLOCK_LOG2,$value
         of_slot $4,A_BOUNDS,5,$value
         ila     $5,A_MEMORY
+        load_word $value,MESH_HEADER_kind,$3
+        cgti    $value,$value,MESH_LEAF
+        brnz    $value,of_objects
         brsl    $lr,build_leaf
+        br      has_boxes
+of_objects:
+        brsl    $lr,objects_boxes
+has_boxes:
         ila     $a_build,A_BUILD
         of_slot $a_block,A_BLOCKS,MESH_BLOCK_LOG2,$value
         load_word $number,MESH_HEADER_number,$a_block

@@ -1,5 +1,6 @@
 # Builds the leaf blocks of a mesh: sorts chunks of its triangles by their codes, then packs ranges
-# of codes into blocks, which build.s refits around their vertices.
+# of codes into blocks, which build.s refits around their vertices. Spheres and cones are sorted as
+# triangles are, and have blocks of their own.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -159,7 +160,7 @@ damaged:
         leave
 endfunction sort_chunk
 
-# sort_range   packs the triangles of a range of codes into leaf blocks
+# sort_range   packs the triangles or objects of a range of codes into leaf blocks
 #   In      g_a_unit, g_first
 #   Out     $3 0, or something else if the unit or a triangle is damaged
 #   Uses    $3-$79
@@ -219,19 +220,31 @@ next_leaf:
         shli    $6,$6,11
         ila     $value,A_LISTS
         a       $6,$6,$value
+        ila     $a_build,A_BUILD
+        load_word $value,BUILD_task,$a_build
+        ceqi    $value,$value,BUILD_PACK
+        brz     $value,objects
         ila     $7,A_PACK
         ori     $8,$g_vertices_low,0
         ori     $9,$g_vertex_count,0
         a       $10,$g_first,$g_step
         ai      $11,$g_step,1
         brsl    $lr,sort_pack
-        brz     $3,unfit
+        of_slot $first,A_BLOCKS,MESH_BLOCK_LOG2,$value
+        load_word $size,MESH_HEADER_vertices,$first
+        br      packed
+objects:
+        ori     $7,$g_vertices_low,0
+        ori     $8,$g_vertex_count,0
+        a       $9,$g_first,$g_step
+        brsl    $lr,objects_pack
+        of_slot $first,A_BLOCKS,MESH_BLOCK_LOG2,$value
+        ori     $size,$3,0
+packed: brz     $3,unfit
         sf      $g_remaining,$3,$g_remaining
         shli    $3,$3,4
         a       $g_source,$g_source,$3
-        of_slot $first,A_BLOCKS,MESH_BLOCK_LOG2,$value
         load_word $nodes,MESH_HEADER_nodes,$first
-        load_word $size,MESH_HEADER_vertices,$first
         mpyi    $nodes,$nodes,BOXES_SIZE
         a       $first,$first,$nodes
         ai      $first,$first,MESH_HEADER_SIZE

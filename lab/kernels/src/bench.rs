@@ -28,15 +28,15 @@ const RETURN: u16 = 0x1fff;
 /// The stop code that a program runs into if it leaves its code.
 const LOST: u16 = 0x1ffe;
 /// The top of the stack. Nothing is above it.
-const STACK: u32 = 0x3f780;
+const STACK: u32 = 0x3ff00;
 /// The end of the arena: `depth_place` in `image/start.s`. Behind it are the kernels for depth
-/// shading, boxes, height fields, colours, textures, meshes, refitted and built meshes.
+/// shading, boxes, height fields, colours, textures, meshes, refitted and built meshes, objects.
 const ARENA_END: u32 = 0x27900;
 /// The end of the arena for the kernels for cuts, which are there: `cuts_place`. Buffers of other
 /// kernels may take their place.
 const CUTS: u32 = 0x25f80;
 /// The address of the `stop` that a kernel returns to.
-pub(crate) const RETURN_ADDRESS: u32 = 0x3f800;
+pub(crate) const RETURN_ADDRESS: u32 = 0x3ff80;
 /// The beginning of the arena, after the other kernels.
 const ARENA: u32 = 0x1d900;
 const GUARD: usize = 64;

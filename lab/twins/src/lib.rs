@@ -30,6 +30,7 @@ pub mod mesh_patches;
 pub mod mesh_prepare;
 pub mod mesh_rays;
 pub mod mesh_rows;
+pub mod objects;
 pub mod pack;
 pub mod pairs;
 pub mod paths;

@@ -70,6 +70,11 @@ impl Edits {
         }
     }
 
+    /// Whether objects have changed or were removed.
+    pub fn have_objects(&self) -> bool {
+        !(self.objects.is_empty() && self.removed.is_empty())
+    }
+
     pub fn removed(&mut self, traced: &SceneEntry) {
         self.rebuild |= traced.is_in_mesh;
         self.removed.extend(traced.number);

@@ -22,9 +22,10 @@ use protocol::layout::MAX_SPHERES;
 /// time as the SPUs need to trace the whole picture: `docs/meshes.md` has the measurements.
 const SPUS_REFIT: usize = 1000;
 
-/// From this number of pictures in a row on that need a new tree, SPUs build it. They take a tenth
-/// of the time that the PPU does, but rays make more tests with it, so a tree that lasts is not
-/// theirs.
+/// From this number of pictures in a row on that need a new tree of a mesh, SPUs build it. They take
+/// a tenth of the time that the PPU does, but rays make more tests with it, so a tree that lasts is
+/// not theirs. Spheres and cones in main memory that move would take the PPU even longer than a mesh,
+/// so it builds no tree of these.
 const SHORT_LIVED: u32 = 3;
 
 impl WorldMaterial {
@@ -43,8 +44,9 @@ impl World {
     /// shown, hidden or given other materials, or if materials, lights or the eye have changed.
     /// Added objects and materials use the space of removed ones, or spare capacity. If there is
     /// none, a new scene is made. A new scene is also made when lights or meshes are added or
-    /// removed, when the [`RenderOptions`](crate::scene::RenderOptions) change, or when a sphere, a
-    /// cone or a polygon changes that is in main memory. Meshes that move get new blocks.
+    /// removed, when the [`RenderOptions`](crate::scene::RenderOptions) change, when a polygon
+    /// changes that is in main memory, or when spheres and cones there begin to change, or are
+    /// added, or are there beside a mesh. Meshes, spheres and cones that move get new blocks.
     ///
     /// # Errors
     /// - The world doesn't fit the SPUs' local store.
@@ -52,6 +54,9 @@ impl World {
     #[track_caller]
     pub fn scene(&mut self, program: &Program) -> Result<&Scene, WorldError> {
         let is_whitted = self.render_options.is_whitted(self.light_count());
+        let block = self.traced.as_ref().and_then(|traced| traced.scene.block());
+        let streams_objects = block.is_some_and(SceneBlock::streams_objects);
+        let objects_move = streams_objects && self.edits.have_objects();
         let traced = self.traced.take().filter(|traced| {
             !self.edits.rebuild
                 && std::ptr::eq(traced.program.image(), program.image())
@@ -68,7 +73,7 @@ impl World {
             }
             None => {
                 self.new_scenes = self.new_scenes.saturating_add(1);
-                self.lay_out(program)?
+                self.lay_out(program, objects_move)?
             }
         };
         traced.scene.write()?;
@@ -94,8 +99,9 @@ impl World {
         Ok(&self.traced.insert(traced).scene)
     }
 
-    /// Makes a new scene of the whole world.
-    fn lay_out(&mut self, program: &Program) -> Result<Traced, WorldError> {
+    /// Makes a new scene of the whole world. `objects_move`: spheres and cones in main memory have
+    /// changed.
+    fn lay_out(&mut self, program: &Program, objects_move: bool) -> Result<Traced, WorldError> {
         // An image without a table has no shaders that a material could name.
         let shaders = ShaderEntries::new(program.shaders().unwrap_or_default());
         // Whitted's model keeps space for hidden objects.
@@ -104,7 +110,7 @@ impl World {
         let is_short_lived = self.new_scenes >= SHORT_LIVED;
         options.build_by = match options.build_by {
             Some(BuildBy::SpuCodes) if !can_refit => Some(BuildBy::PpuCodes),
-            None if is_short_lived && can_refit => Some(BuildBy::SpuCodes),
+            None if (is_short_lived || objects_move) && can_refit => Some(BuildBy::SpuCodes),
             chosen => chosen,
         };
         let is_whitted = options.is_whitted(self.light_count());
@@ -265,8 +271,9 @@ impl World {
         let Some(block) = scene.block_mut() else {
             return Ok(false);
         };
-        let are_objects_changed = !(self.edits.objects.is_empty() && self.edits.removed.is_empty());
-        if block.streams_objects() && are_objects_changed || !block.set_eye(self.view.from) {
+        if self.edits.have_objects() && !block.may_change_objects()
+            || !block.set_eye(self.view.from)
+        {
             return Ok(false);
         }
         let ambient = self.ambient_light();
@@ -328,6 +335,6 @@ impl World {
                 return Ok(false);
             }
         }
-        Ok(block.bound_chains())
+        Ok(block.move_objects() && block.bound_chains())
     }
 }

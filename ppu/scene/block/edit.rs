@@ -61,10 +61,22 @@ impl SceneBlock {
         }
     }
 
-    /// Whether spheres or cones are in main memory. Then none can be changed in place.
+    /// Whether spheres or cones are in main memory.
     pub(crate) fn streams_objects(&self) -> bool {
         let streamed = self.streamed.as_ref();
         streamed.is_some_and(|streamed| streamed.kinds != InMainMemory::default())
+    }
+
+    /// Whether objects can be changed in place: those in main memory only if their blocks are made
+    /// in the order of codes.
+    pub(crate) fn may_change_objects(&self) -> bool {
+        !self.streams_objects() || self.streamed.as_ref().is_some_and(Streamed::moves_objects)
+    }
+
+    /// Brings the changed objects into the blocks in main memory. Call it after the last change.
+    /// `false` if a new tree is needed.
+    pub(crate) fn move_objects(&mut self) -> bool {
+        self.streamed.as_mut().is_none_or(Streamed::move_objects)
     }
 
     /// Sets the background, its gradient, and the fog.
@@ -229,6 +241,10 @@ impl SceneBlock {
         (material_number, material): (usize, &Material),
         shaders: &ShaderEntries,
     ) -> Result<bool, BlockError> {
+        let place = SourceLocation { file: &self.file, line: Some(number as u32 + 1) };
+        if let Some(streamed) = self.streamed.as_mut().filter(|it| it.kinds.holds(shape)) {
+            return streamed.set_object(number, shape, (material_number, material), place);
+        }
         let address = self.material_address(material_number, material, shaders)?;
         let (Some(address), Some(range)) = (address, self.objects.get(number)) else {
             return Ok(false);
@@ -261,6 +277,9 @@ impl SceneBlock {
 
     /// Takes an object out of the scene, and keeps its space reserved.
     pub(crate) fn hide_object(&mut self, number: usize) {
+        if let Some(streamed) = &mut self.streamed {
+            streamed.hide_object(number);
+        }
         if let Some(range) = self.objects.get(number) {
             for &PrimitiveId { kind, slot } in &self.parts[range.clone()] {
                 self.primitives[kind as usize].clear(slot);
@@ -270,6 +289,9 @@ impl SceneBlock {
 
     /// Takes an object out of the scene, and frees its space. Its number stays unused.
     pub(crate) fn remove_object(&mut self, number: usize) {
+        if let Some(streamed) = &mut self.streamed {
+            streamed.hide_object(number);
+        }
         if let Some(range) = self.objects.get_mut(number) {
             for &PrimitiveId { kind, slot } in &self.parts[range.clone()] {
                 self.primitives[kind as usize].free(slot);
@@ -286,7 +308,8 @@ impl SceneBlock {
         shaders: &ShaderEntries,
     ) -> Result<Option<usize>, BlockError> {
         let number = self.objects.len();
-        if number == MAX_NUMBERS {
+        let is_streamed = self.streamed.as_ref().is_some_and(|it| it.kinds.holds(shape));
+        if is_streamed || number == MAX_NUMBERS {
             return Ok(None);
         }
         let first = self.parts.len();

@@ -22,8 +22,8 @@ use super::source_location::SourceLocation;
 use crate::scene::colour::Colour;
 use crate::scene::height::{HeightView, HeightViews};
 use crate::scene::mesh::{
-    Ground, MeshBlocks, MeshCone, MeshObjects, MeshSphere, MovedVertices, NumberWidth, Numbers,
-    RESIDENT, SortedMesh,
+    Ground, MeshBlocks, MeshCone, MeshObject, MeshObjects, MeshSphere, MovedVertices,
+    MovingObjects, NumberWidth, Numbers, RESIDENT, SortedMesh,
 };
 use crate::scene::render_options::{BuildBy, RefitBy, RenderOptions};
 use crate::scene::single::singles;
@@ -93,6 +93,8 @@ pub(super) struct Streamed {
     moved: Option<Arc<MovedVertices>>,
     /// What its blocks are made of, if that is done in the order of codes, and by SPUs or not.
     sorted: Option<(Arc<SortedMesh>, BuildBy)>,
+    /// Its spheres and cones, if these are what is sorted.
+    moving: Option<MovingObjects>,
     /// What its refitted tree has cost since it was built: tests of rays that a new one would not
     /// have needed, in pictures.
     wasted_pictures: f64,
@@ -164,7 +166,8 @@ impl Streamed {
                 None => origin_of_objects(scene),
             },
         };
-        let objects = objects(scene, kinds, origin)?;
+        let found = objects(scene, kinds, origin)?;
+        let objects = MeshObjects::of(found.iter().map(|(_, object)| *object));
         if scene.mesh.is_none() && objects.is_empty() && scene.heights.is_none() {
             return Ok(None);
         }
@@ -179,27 +182,32 @@ impl Streamed {
         });
         let materials = &scene.materials;
         let is_alone_ground = objects.is_empty() && scene.mesh.is_none();
-        let is_alone = objects.is_empty() && ground.is_none();
-        let by = options.build_by.filter(|by| *by != BuildBy::PpuSurfaces && is_alone);
-        let to_sort = by.and_then(|by| Some((by, MeshBlocks::to_sort(mesh, materials, numbers)?)));
-        let (blocks, sorted) = match to_sort {
-            Some((by, (mut blocks, sorted))) => {
+        let by = options.build_by.filter(|by| *by != BuildBy::PpuSurfaces && ground.is_none());
+        let to_sort = by.and_then(|by| match (&scene.mesh, objects.is_empty()) {
+            (_, true) => {
+                let (blocks, sorted) = MeshBlocks::to_sort(mesh, materials, numbers)?;
+                Some((by, blocks, sorted, None))
+            }
+            (None, false) => {
+                let count = materials.len();
+                let (blocks, sorted, moving) = MeshBlocks::objects_to_sort(&found, count, numbers)?;
+                Some((by, blocks, sorted, Some(moving)))
+            }
+            (Some(_), false) => None,
+        });
+        let (blocks, sorted, moving) = match to_sort {
+            Some((by, mut blocks, sorted, moving)) => {
                 if by == BuildBy::PpuCodes {
                     blocks.make_sorted(mesh, &sorted);
                 }
-                (blocks, Some((Arc::new(sorted), by)))
+                (blocks, Some((Arc::new(sorted), by)), moving)
             }
             None => {
                 let of = MeshBlocks::numbered(mesh, &objects, ground, materials, numbers, colour);
-                (of.map_err(wrong)?, None)
+                (of.map_err(wrong)?, None, None)
             }
         };
-        let of_spheres = objects.spheres.iter().flat_map(|sphere| {
-            let (centre, radius) = (sphere.centre.as_dvec3(), f64::from(sphere.radius.abs()));
-            [centre - radius, centre + radius]
-        });
-        let of_cones = objects.cones.iter().flat_map(MeshCone::corners);
-        let corners = of_spheres.chain(of_cones.map(|corner| corner.as_dvec3()));
+        let corners = found.iter().flat_map(|(_, object)| object.corners());
         let of_ground = heights.iter().flat_map(|(heights, _)| heights.bounds());
         let corners = corners.map(|corner| origin + corner).chain(of_ground);
         let bounds = mesh.bounds().map(|(low, high)| [low, high]);
@@ -218,6 +226,7 @@ impl Streamed {
             blocks: Arc::new(blocks),
             moved: None,
             sorted,
+            moving,
             materials: SCENE_ADDRESS,
             table: None,
             texture_records: SCENE_ADDRESS,
@@ -303,6 +312,64 @@ impl Streamed {
         let ground = self.heights.as_ref().map(HeightViews::bounds);
         let [other_low, other_high] = ground.unwrap_or([low, high]);
         self.bounds = [low.min(other_low), high.max(other_high)];
+        true
+    }
+
+    /// Gives a sphere or a cone of the scene another shape or another material; `false` if a new
+    /// tree is needed.
+    pub fn set_object(
+        &mut self,
+        number: usize,
+        shape: &Shape,
+        (material_number, material): (usize, &Material),
+        place: SourceLocation<'_>,
+    ) -> Result<bool, BlockError> {
+        let object = mesh_object(shape, (material_number as u32, material), self.origin, place)?;
+        let (Some(object), Some((sorted, moving))) = (object, self.moving()) else {
+            return Ok(false);
+        };
+        Ok(moving.set(sorted, number, &object))
+    }
+
+    /// What is sorted, if it is spheres and cones, unless an engine still has their blocks made.
+    fn moving(&mut self) -> Option<(&mut SortedMesh, &mut MovingObjects)> {
+        let sorted = self.sorted.as_mut().and_then(|(sorted, _)| Arc::get_mut(sorted))?;
+        Some((sorted, self.moving.as_mut()?))
+    }
+
+    /// Whether its spheres and cones can be changed in place.
+    pub fn moves_objects(&self) -> bool {
+        self.moving.is_some()
+    }
+
+    /// Takes a sphere or a cone out of the picture.
+    pub fn hide_object(&mut self, number: usize) {
+        if let Some(moving) = &mut self.moving {
+            moving.hide(number);
+        }
+    }
+
+    /// Brings changed spheres and cones into its blocks, or leaves that to SPUs; `false` if a new
+    /// tree is needed, because none is left, or because positions would lose precision.
+    pub fn move_objects(&mut self) -> bool {
+        if self.moving.as_ref().is_none_or(|moving| !moving.are_changed()) {
+            return true;
+        }
+        let bounds = self.moving().and_then(|(sorted, moving)| moving.apply(sorted));
+        let (Some([low, high]), Some((sorted, by))) = (bounds, &self.sorted) else {
+            return false;
+        };
+        if !is_near(DVec3::ZERO, [low, high]) {
+            return false;
+        }
+        if self.blocks.count() != sorted.most_blocks() {
+            Arc::make_mut(&mut self.blocks).make_space(sorted);
+        }
+        if *by == BuildBy::PpuCodes {
+            Arc::make_mut(&mut self.blocks).make_sorted(&Mesh::default(), sorted);
+        }
+        self.bounds = [low, high].map(|corner| self.origin + corner);
+        self.wasted_pictures = 0.0;
         true
     }
 
@@ -417,16 +484,25 @@ fn origin_of_objects(scene: &Scene) -> DVec3 {
         .reduce(|[low, high], [other_low, other_high]| [low.min(other_low), high.max(other_high)]);
     let eye = scene.view.from;
     around.map_or(DVec3::ZERO, |[low, high]| {
-        let away = (eye - eye.clamp(low, high)).abs().max_element();
-        let is_near = away <= (high - low).max_element();
-        if is_near { eye } else { Mesh::origin_for(low, high) }
+        if is_near(eye, [low, high]) { eye } else { Mesh::origin_for(low, high) }
     })
 }
 
-/// A scene's objects of these kinds, with single precision, relative to an origin.
-fn objects(scene: &Scene, kinds: InMainMemory, origin: DVec3) -> Result<MeshObjects, BlockError> {
-    let mut found = MeshObjects::default();
-    for object in &scene.objects {
+/// Whether a point is no farther from a box than this is large.
+fn is_near(point: DVec3, [low, high]: [DVec3; 2]) -> bool {
+    let away = (point - point.clamp(low, high)).abs().max_element();
+    away <= (high - low).max_element()
+}
+
+/// A scene's objects of these kinds and their numbers, with single precision, relative to an
+/// origin.
+fn objects(
+    scene: &Scene,
+    kinds: InMainMemory,
+    origin: DVec3,
+) -> Result<Vec<(usize, MeshObject)>, BlockError> {
+    let mut found = Vec::new();
+    for (number, object) in scene.objects.iter().enumerate() {
         let Some(material) = scene.materials.get(object.material as usize) else {
             continue;
         };
@@ -434,32 +510,49 @@ fn objects(scene: &Scene, kinds: InMainMemory, origin: DVec3) -> Result<MeshObje
             continue;
         }
         let place = SourceLocation { file: &scene.name, line: Some(object.line) };
-        objects::of_shape(&object.shape, material, place, &mut |primitive, sides| {
-            let growth = primitive.growth() as f32;
-            match primitive {
-                Primitive::Sphere { centre, radius } => found.spheres.push(MeshSphere {
+        let material = (object.material, material);
+        found.extend(
+            mesh_object(&object.shape, material, origin, place)?.map(|object| (number, object)),
+        );
+    }
+    Ok(found)
+}
+
+/// A sphere or a cone of a material, whose number comes first; `None` if it has no surface.
+fn mesh_object(
+    shape: &Shape,
+    (number, material): (u32, &Material),
+    origin: DVec3,
+    place: SourceLocation<'_>,
+) -> Result<Option<MeshObject>, BlockError> {
+    let mut found = None;
+    objects::of_shape(shape, material, place, &mut |primitive, sides| {
+        let growth = primitive.growth() as f32;
+        match primitive {
+            Primitive::Sphere { centre, radius } => {
+                found = Some(MeshObject::Sphere(MeshSphere {
                     centre: (centre - origin).as_vec3(),
                     radius: radius as f32,
                     sides,
-                    material: object.material,
-                }),
-                Primitive::Cone { base, axis, height, radii, hollow } => {
-                    found.cones.push(MeshCone {
-                        base: (base - origin).as_vec3(),
-                        axis: axis.as_vec3(),
-                        height: height as f32,
-                        radius: radii[0] as f32,
-                        growth,
-                        hollow,
-                        sides,
-                        material: object.material,
-                    })
-                }
-                Primitive::Rectangle { .. } | Primitive::Triangle { .. } => {}
+                    material: number,
+                }));
             }
-            Ok(())
-        })?;
-    }
+            Primitive::Cone { base, axis, height, radii, hollow } => {
+                found = Some(MeshObject::Cone(MeshCone {
+                    base: (base - origin).as_vec3(),
+                    axis: axis.as_vec3(),
+                    height: height as f32,
+                    radius: radii[0] as f32,
+                    growth,
+                    hollow,
+                    sides,
+                    material: number,
+                }));
+            }
+            Primitive::Rectangle { .. } | Primitive::Triangle { .. } => {}
+        }
+        Ok(())
+    })?;
     Ok(found)
 }
 

@@ -7,6 +7,7 @@ use glam::{DVec3, Vec3};
 use protocol::layout::{MAX_SIDE, MeshVertex, TILE_HEIGHT, TILE_WIDTH};
 use scenes::Mesh;
 use zerocopy::FromZeros as _;
+use zerocopy::big_endian::F32;
 
 use super::MeshBlocks;
 use super::normal::packed;
@@ -47,7 +48,7 @@ impl MovedVertices {
             self.lines = memory(count);
         }
         self.count = vertices.len() as u32;
-        self.version = VERSIONS.fetch_add(1, Ordering::Relaxed);
+        self.are_others();
         self.cost = OnceLock::new();
         let mut around = Bounds::EMPTY;
         let mut flat = flat.iter();
@@ -69,6 +70,42 @@ impl MovedVertices {
             self.lines.push(Line(records));
         }
         flat.next().is_none().then_some(around)
+    }
+
+    /// The position of a vertex, or the first three words of a record's quadword.
+    pub(super) fn position(&self, vertex: u32) -> [f32; 3] {
+        let vertex = vertex as usize;
+        self.lines[vertex / 8].0[vertex % 8].position.map(F32::get)
+    }
+
+    /// Vertices for these quadwords of records.
+    pub(super) fn of_records(records: &[MeshVertex]) -> Self {
+        let mut lines = memory(records.len().div_ceil(8));
+        for chunk in records.chunks(8) {
+            let mut line = [MeshVertex::new_zeroed(); 8];
+            line[..chunk.len()].copy_from_slice(chunk);
+            lines.push(Line(line));
+        }
+        let mut vertices = Self { lines, count: records.len() as u32, ..Self::default() };
+        vertices.are_others();
+        vertices
+    }
+
+    /// A quadword of a record.
+    pub(super) fn record(&self, at: u32) -> &MeshVertex {
+        &self.lines[at as usize / 8].0[at as usize % 8]
+    }
+
+    /// Replaces the quadwords of a record. Call [`MovedVertices::are_others`] after the last one.
+    pub(super) fn put_record(&mut self, first: u32, record: &[MeshVertex]) {
+        for (at, quadword) in (first as usize..).zip(record) {
+            self.lines[at / 8].0[at % 8] = *quadword;
+        }
+    }
+
+    /// Gives them another version.
+    pub(super) fn are_others(&mut self) {
+        self.version = VERSIONS.fetch_add(1, Ordering::Relaxed);
     }
 
     /// A number that no other vertices of this process have.

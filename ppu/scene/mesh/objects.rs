@@ -1,9 +1,64 @@
 //! The spheres and cones that are in main memory.
 
-use zerocopy::IntoBytes as _;
+use glam::DVec3;
+use protocol::layout::MeshVertex;
+use zerocopy::big_endian::F32;
+use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use super::tree::{Bounds, Kind, Piece};
 use super::{MeshCone, MeshSphere};
+
+/// A sphere or a cone.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::scene) enum MeshObject {
+    Sphere(MeshSphere),
+    Cone(MeshCone),
+}
+
+impl MeshObject {
+    /// The quadword of a cone's records that has the point at three quarters of its height.
+    pub const POINT: u32 = 4;
+
+    pub fn is_cone(&self) -> bool {
+        matches!(self, Self::Cone(_))
+    }
+
+    /// Index of its material in the scene.
+    pub fn material(&self) -> u32 {
+        match self {
+            Self::Sphere(sphere) => sphere.material,
+            Self::Cone(cone) => cone.material,
+        }
+    }
+
+    /// The corners of the box around it.
+    pub fn corners(&self) -> [DVec3; 2] {
+        match self {
+            Self::Sphere(sphere) => {
+                let (centre, radius) = (sphere.centre.as_dvec3(), f64::from(sphere.radius.abs()));
+                [centre - radius, centre + radius]
+            }
+            Self::Cone(cone) => cone.corners().map(|corner| corner.as_dvec3()),
+        }
+    }
+
+    /// Calls `put` with its records for sorting, where `material` is the number of the material in
+    /// blocks.
+    pub fn write(&self, material: u32, put: &mut dyn FnMut(&[MeshVertex])) {
+        match self {
+            Self::Sphere(sphere) => {
+                let record: [MeshVertex; 3] = zerocopy::transmute!(sphere.record(material));
+                put(&record);
+            }
+            Self::Cone(cone) => {
+                let [a, b, c, d]: [MeshVertex; 4] = zerocopy::transmute!(cone.record(material));
+                let position = cone.base + 0.75 * cone.height * cone.axis;
+                let position = position.to_array().map(F32::new);
+                put(&[a, b, c, d, MeshVertex { position, ..MeshVertex::new_zeroed() }]);
+            }
+        }
+    }
+}
 
 /// The objects of a scene in main memory besides triangles.
 #[derive(Clone, Debug, Default)]
@@ -15,6 +70,18 @@ pub struct MeshObjects {
 }
 
 impl MeshObjects {
+    /// These objects.
+    pub(in crate::scene) fn of(objects: impl Iterator<Item = MeshObject>) -> Self {
+        let mut all = Self::default();
+        for object in objects {
+            match object {
+                MeshObject::Sphere(sphere) => all.spheres.push(sphere),
+                MeshObject::Cone(cone) => all.cones.push(cone),
+            }
+        }
+        all
+    }
+
     /// The number of objects.
     #[must_use]
     pub fn len(&self) -> usize {

@@ -1,5 +1,5 @@
-//! Packs triangles in the order of their codes into leaf blocks, as SPUs do: the blocks are theirs
-//! bit for bit.
+//! Packs triangles, or spheres and cones, in the order of their codes into leaf blocks, as SPUs do:
+//! the blocks are theirs bit for bit.
 
 use std::collections::HashMap;
 
@@ -11,9 +11,10 @@ use scenes::Mesh;
 use zerocopy::big_endian::F32;
 use zerocopy::{FromBytes as _, IntoBytes as _};
 
+use super::pack_objects::pack_objects;
 use super::refit::refit;
-use super::sorted::{SortedMesh, chunks, join, ranges};
-use super::tree::Piece;
+use super::sorted::{Sorted, SortedMesh};
+use super::tree::{Bounds, Piece};
 use super::write::{RUN_SHIFT, header, no_boxes, offset};
 use super::{Block, MeshBlocks};
 
@@ -28,20 +29,20 @@ const LEAST: usize = 896;
 const INDEX: u32 = 0x00ff_ffff;
 
 impl MeshBlocks {
-    /// Makes the blocks of a mesh in the order of codes.
+    /// Makes the blocks of a mesh, or of spheres and cones, in the order of codes.
     pub(crate) fn make_sorted(&mut self, mesh: &Mesh, sorted: &SortedMesh) {
         let count = self.count();
         self.blocks = vec![Block([0; MESH_BLOCK as usize]); count as usize];
         let mut triangles: Vec<BuildTriangle> = sorted.triangles().collect();
         for triangle in &mut triangles {
-            let corners = corners(triangle).map(|vertex| mesh.positions[vertex as usize]);
+            let corners = corners(triangle).map(|vertex| sorted.vertices.position(vertex));
             triangle.code = (sides(triangle) << 1 | sorted.grid.code(corners)).into();
         }
-        for unit in chunks(sorted.count()) {
+        for unit in sorted.chunks() {
             let first = unit.first.get() as usize;
             triangles[first..][..unit.triangles.get() as usize].sort_by_key(|it| it.code.get());
         }
-        let (units, words) = ranges(sorted.count(), |at| triangles[at as usize].code.get());
+        let (units, words) = sorted.ranges(|at| triangles[at as usize].code.get());
         let mut leaves = Vec::new();
         for unit in units {
             let own =
@@ -55,9 +56,15 @@ impl MeshBlocks {
             let mut rest = &range[..];
             let mut number = unit.first.get();
             while !rest.is_empty() {
-                let (mut block, vertices, packed) = pack(rest, number);
-                let bounds = refit(&mut block, &mut &vertices[..], mesh, &|_| None, &mut self.cost);
-                let Some(bounds) = bounds else { break };
+                let (block, bounds, packed) = match sorted.what {
+                    Sorted::Objects => pack_objects(rest, number, &sorted.vertices),
+                    Sorted::Triangles => {
+                        let (mut block, vertices, packed) = pack(rest, number);
+                        let sources = &mut &vertices[..];
+                        let bounds = refit(&mut block, sources, mesh, &|_| None, &mut self.cost);
+                        (block, bounds.unwrap_or(Bounds::EMPTY), packed)
+                    }
+                };
                 leaves.push(Piece { bounds, index: number });
                 self.blocks[number as usize] = block;
                 number += 1;
@@ -65,12 +72,12 @@ impl MeshBlocks {
             }
         }
         self.statistics.leaves = leaves.len();
-        join(leaves, |number, block| self.blocks[number].0.copy_from_slice(block));
+        sorted.what.join(leaves, |number, block| self.blocks[number].0.copy_from_slice(block));
         self.cost_when_built = self.cost;
     }
 }
 
-fn corners(triangle: &BuildTriangle) -> [u32; 3] {
+pub(super) fn corners(triangle: &BuildTriangle) -> [u32; 3] {
     [triangle.first, triangle.second, triangle.third].map(|it| it.get() & INDEX)
 }
 

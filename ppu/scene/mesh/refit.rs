@@ -179,7 +179,7 @@ fn lane_bounds(node: &Boxes, lane: usize) -> Bounds {
     }
 }
 
-fn put(node: &mut Boxes, lane: usize, Bounds { low, high }: Bounds) {
+pub(super) fn put(node: &mut Boxes, lane: usize, Bounds { low, high }: Bounds) {
     node.lo_x[lane] = coordinate(low.x);
     node.lo_y[lane] = coordinate(low.y);
     node.lo_z[lane] = coordinate(low.z);

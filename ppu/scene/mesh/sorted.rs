@@ -1,5 +1,6 @@
 //! A mesh whose leaf blocks are made of its triangles in the order of codes, by SPUs or in the same
 //! way by this program ([`pack`](super::pack)): for meshes whose triangles are new in each frame.
+//! Spheres and cones that move ([`moving`](super::moving)) are treated as triangles here.
 //!
 //! A code has the bits of a triangle's centroid in turn, so triangles with near codes are near
 //! each other. Chunks of triangles are sorted first. Then the codes are divided into ranges, about
@@ -9,7 +10,8 @@
 //! Invariant: a range has at most [`BUILD_CHUNK`] triangles, whatever the codes are.
 
 use protocol::layout::{
-    BUILD_CHUNK, BuildTriangle, BuildUnit, MESH_MATERIALS, SIDES_BOTH, SIDES_SMOOTH,
+    BUILD_CHUNK, BUILD_FEWEST, BUILD_PACK, BUILD_PACK_OBJECTS, BuildBounds, BuildTriangle,
+    BuildUnit, MESH_MATERIALS, SIDES_BOTH, SIDES_SMOOTH,
 };
 use scenes::{Material, Mesh};
 use zerocopy::FromZeros as _;
@@ -21,7 +23,7 @@ use super::write::{above, coordinate};
 use super::{MeshBlocks, NumberWidth, Numbers, has_area, in_range};
 
 /// The most triangles: a range has a part of each chunk, and SPUs have space for 256 parts.
-const MOST_TRIANGLES: usize = 256 * BUILD_CHUNK as usize;
+pub(super) const MOST_TRIANGLES: usize = 256 * BUILD_CHUNK as usize;
 /// Chunks, unless they would be smaller or larger than they may be: enough for six SPUs to be done
 /// at about the same time.
 const CHUNKS: u32 = 96;
@@ -30,7 +32,7 @@ const SMALLEST_CHUNK: u32 = 256;
 const LARGEST_RANGE: u32 = 2048;
 /// The largest distance of the sorted triangles of a chunk whose codes are looked at for ranges.
 const LARGEST_STEP: u32 = 32;
-/// Unless the triangles have other sides after it, a block has at least as many.
+/// The fewest triangles of a block, unless those after it have other sides.
 const FEWEST: u32 = 17;
 /// How many blocks of a range may have fewer: one of each kind of sides.
 const SMALLER: u32 = 4;
@@ -44,8 +46,8 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// The grid of a mesh within these bounds.
-    fn new(Bounds { low, high }: Bounds) -> Self {
+    /// The grid of corners within these bounds.
+    pub(super) fn new(Bounds { low, high }: Bounds) -> Self {
         let largest = low.abs().max(high.abs()).max_element();
         // Three whole numbers below 2^27 can be added.
         let exponent = 26 - libm::ilogbf(largest.max(f32::MIN_POSITIVE));
@@ -78,12 +80,21 @@ fn whole(number: f32, scale: f32) -> i32 {
     (coordinate(number).get() * scale) as i32
 }
 
+/// The kind of shapes that are sorted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sorted {
+    Triangles,
+    /// Spheres and cones. Their records are in place of the vertices.
+    Objects,
+}
+
 /// The triangles and vertices of such a mesh.
 #[derive(Debug)]
 pub struct SortedMesh {
+    pub(super) what: Sorted,
     pub(super) vertices: MovedVertices,
-    triangles: Vec<Line<BuildTriangle>>,
-    count: u32,
+    pub(super) triangles: Vec<Line<BuildTriangle>>,
+    pub(super) count: u32,
     pub(super) grid: Grid,
 }
 
@@ -108,6 +119,19 @@ impl SortedMesh {
 
     pub(crate) fn grid(&self) -> Grid {
         self.grid
+    }
+
+    /// The most blocks, with those above the leaves.
+    pub(crate) fn most_blocks(&self) -> u32 {
+        2 * self.what.most_leaves(self.count)
+    }
+
+    /// The task by which SPUs pack them.
+    pub(crate) fn pack_task(&self) -> u32 {
+        match self.what {
+            Sorted::Triangles => BUILD_PACK,
+            Sorted::Objects => BUILD_PACK_OBJECTS,
+        }
     }
 
     pub(super) fn triangles(&self) -> impl Iterator<Item = BuildTriangle> {
@@ -176,28 +200,36 @@ impl MeshBlocks {
             return None;
         }
         let count = count as u32;
-        let blocks = Self::unmade(mesh, used, 2 * most_leaves(count));
         let mut sorted = SortedMesh {
+            what: Sorted::Triangles,
             vertices: MovedVertices::default(),
             triangles,
             count,
             grid: Grid::default(),
         };
+        let blocks = Self::unmade(mesh, used, sorted.most_blocks());
         sorted.move_to(mesh, &blocks).then_some((blocks, sorted))
     }
 }
 
-/// The first number of a leaf block. Smaller ones are left for the blocks above.
-pub(crate) fn first_leaf(triangles: u32) -> u32 {
-    most_leaves(triangles)
-}
+impl Sorted {
+    /// The maximum number of leaf blocks of `count` shapes. Their numbers begin with this one:
+    /// smaller ones are left for the blocks above.
+    pub(super) fn most_leaves(self, count: u32) -> u32 {
+        let Division { chunk, step, in_range } = Division::of(count);
+        let chunks = count.div_ceil(chunk);
+        let last = count - (chunks - 1) * chunk;
+        let samples = (chunks - 1) * chunk.div_ceil(step) + last.div_ceil(step);
+        count / self.fewest() + SMALLER * samples.div_ceil(in_range)
+    }
 
-fn most_leaves(triangles: u32) -> u32 {
-    let Division { chunk, step, in_range } = Division::of(triangles);
-    let chunks = triangles.div_ceil(chunk);
-    let last = triangles - (chunks - 1) * chunk;
-    let samples = (chunks - 1) * chunk.div_ceil(step) + last.div_ceil(step);
-    triangles / FEWEST + SMALLER * samples.div_ceil(in_range)
+    /// How many a block has at least, unless those after it are of another kind.
+    fn fewest(self) -> u32 {
+        match self {
+            Self::Triangles => FEWEST,
+            Self::Objects => BUILD_FEWEST,
+        }
+    }
 }
 
 /// How triangles are divided.
@@ -222,93 +254,102 @@ impl Division {
     }
 }
 
-/// The units that sort the chunks of triangles.
-pub(crate) fn chunks(triangles: u32) -> Vec<BuildUnit> {
-    let size = Division::of(triangles).chunk;
-    let unit = |first| BuildUnit {
-        first: U32::new(first),
-        triangles: size.min(triangles - first).into(),
-        ..BuildUnit::new_zeroed()
-    };
-    (0..triangles).step_by(size as usize).map(unit).collect()
-}
-
-/// The units that pack ranges of triangles, and the words that list the parts of sorted chunks that
-/// are in each. `code` is that of a triangle in the sorted chunks.
-pub(crate) fn ranges(triangles: u32, code: impl Fn(u32) -> u32) -> (Vec<BuildUnit>, Vec<U32>) {
-    let Division { chunk, step, in_range } = Division::of(triangles);
-    // Triangles with equal codes stay in their order, so no two are equal.
-    let key = |at: u32| u64::from(code(at)) << 32 | u64::from(at);
-    let starts = (0..triangles).step_by(chunk as usize);
-    let chunk_end = |start: u32| triangles.min(start + chunk);
-    let in_chunk = |start| (start..chunk_end(start)).step_by(step as usize).map(key);
-    let mut samples: Vec<u64> = starts.clone().flat_map(in_chunk).collect();
-    samples.sort_unstable();
-    // Of each chunk, where the range begins, and the last sample before its end.
-    let mut from: Vec<u32> = starts.clone().collect();
-    let mut last: Vec<Option<u32>> = vec![None; from.len()];
-    let (mut units, mut words): (Vec<BuildUnit>, Vec<U32>) = Default::default();
-    let mut block = first_leaf(triangles);
-    for (number, range) in samples.chunks(in_range as usize).enumerate() {
-        let end = samples.get((number + 1) * in_range as usize);
-        for &sample in range {
-            let at = sample as u32;
-            last[(at / chunk) as usize] = Some(at);
-        }
-        let first_word = words.len();
-        let mut count = 0;
-        for ((start, from), last) in starts.clone().zip(&mut from).zip(&last) {
-            let to = match (end, *last) {
-                (None, _) => chunk_end(start),
-                (Some(_), None) => start,
-                (Some(&end), Some(last)) => {
-                    // The next sample is in the next range or later.
-                    let (mut low, mut high) = (last + 1, chunk_end(start).min(last + step));
-                    while low < high {
-                        let middle = low.midpoint(high);
-                        if key(middle) < end { low = middle + 1 } else { high = middle }
-                    }
-                    low
-                }
-            };
-            while *from < to {
-                let length = (to - *from).min(255);
-                words.push((length << 24 | *from).into());
-                *from += length;
-                count += length;
-            }
-        }
-        words.resize(words.len().next_multiple_of(4), U32::ZERO);
-        let most = count / FEWEST + SMALLER;
-        units.push(BuildUnit {
-            first: block.into(),
-            count: most.into(),
-            source: (first_word as u32).into(),
-            source_count: ((words.len() - first_word) as u32).into(),
-            triangles: count.into(),
+impl SortedMesh {
+    /// The units that sort the chunks of triangles.
+    pub(crate) fn chunks(&self) -> Vec<BuildUnit> {
+        let triangles = self.count;
+        let size = Division::of(triangles).chunk;
+        let unit = |first| BuildUnit {
+            first: U32::new(first),
+            triangles: size.min(triangles - first).into(),
             ..BuildUnit::new_zeroed()
-        });
-        block += most;
+        };
+        (0..triangles).step_by(size as usize).map(unit).collect()
     }
-    (units, words)
+
+    /// The units that pack ranges of triangles, and the words that list the parts of sorted chunks
+    /// that are in each. `code` is that of a triangle in the sorted chunks.
+    pub(crate) fn ranges(&self, code: impl Fn(u32) -> u32) -> (Vec<BuildUnit>, Vec<U32>) {
+        let triangles = self.count;
+        let Division { chunk, step, in_range } = Division::of(triangles);
+        // Triangles with equal codes stay in their order, so no two are equal.
+        let key = |at: u32| u64::from(code(at)) << 32 | u64::from(at);
+        let starts = (0..triangles).step_by(chunk as usize);
+        let chunk_end = |start: u32| triangles.min(start + chunk);
+        let in_chunk = |start| (start..chunk_end(start)).step_by(step as usize).map(key);
+        let mut samples: Vec<u64> = starts.clone().flat_map(in_chunk).collect();
+        samples.sort_unstable();
+        // Of each chunk, where the range begins, and the last sample before its end.
+        let mut from: Vec<u32> = starts.clone().collect();
+        let mut last: Vec<Option<u32>> = vec![None; from.len()];
+        let (mut units, mut words): (Vec<BuildUnit>, Vec<U32>) = Default::default();
+        let mut block = self.what.most_leaves(triangles);
+        for (number, range) in samples.chunks(in_range as usize).enumerate() {
+            let end = samples.get((number + 1) * in_range as usize);
+            for &sample in range {
+                let at = sample as u32;
+                last[(at / chunk) as usize] = Some(at);
+            }
+            let first_word = words.len();
+            let mut count = 0;
+            for ((start, from), last) in starts.clone().zip(&mut from).zip(&last) {
+                let to = match (end, *last) {
+                    (None, _) => chunk_end(start),
+                    (Some(_), None) => start,
+                    (Some(&end), Some(last)) => {
+                        // The next sample is in the next range or later.
+                        let (mut low, mut high) = (last + 1, chunk_end(start).min(last + step));
+                        while low < high {
+                            let middle = low.midpoint(high);
+                            if key(middle) < end { low = middle + 1 } else { high = middle }
+                        }
+                        low
+                    }
+                };
+                while *from < to {
+                    let length = (to - *from).min(255);
+                    words.push((length << 24 | *from).into());
+                    *from += length;
+                    count += length;
+                }
+            }
+            words.resize(words.len().next_multiple_of(4), U32::ZERO);
+            let most = count / self.what.fewest() + SMALLER;
+            units.push(BuildUnit {
+                first: block.into(),
+                count: most.into(),
+                source: (first_word as u32).into(),
+                source_count: ((words.len() - first_word) as u32).into(),
+                triangles: count.into(),
+                ..BuildUnit::new_zeroed()
+            });
+            block += most;
+        }
+        (units, words)
+    }
 }
 
-/// Makes the blocks above leaf blocks, whose numbers are the pieces' indices, and calls `store`
-/// with the number and the bytes of each.
-pub(super) fn join(leaves: Vec<Piece>, store: impl FnMut(usize, &[u8])) {
-    let nothing = Mesh::default();
-    let count = leaves.len();
-    let mut tree = Tree::new(&nothing, leaves, NumberWidth::Byte);
-    let root = tree.grow(Kind::Blocks, 0..count);
-    above(&tree, root, store);
+impl Sorted {
+    /// Makes the blocks above leaf blocks, which are in the order of codes and whose numbers are
+    /// the pieces' indices, and calls `store` with the number and the bytes of each.
+    pub(super) fn join(self, leaves: Vec<Piece>, store: impl FnMut(usize, &[u8])) {
+        let nothing = Mesh::default();
+        let count = leaves.len();
+        let mut tree = Tree::new(&nothing, leaves, NumberWidth::Byte);
+        let root = match self {
+            Self::Triangles => tree.grow(Kind::Blocks, 0..count),
+            // They need blocks for so few that the PPU's time counts more than the rays' tests.
+            Self::Objects => tree.grow_in_order(0..count),
+        };
+        above(&tree, root, store);
+    }
 }
 
-/// [`join`] for leaf blocks that SPUs have made.
-pub(crate) fn join_made(bounds: &[protocol::layout::BuildBounds], store: impl FnMut(usize, &[u8])) {
-    let made = bounds.iter().zip(0..).filter(|(bounds, _)| bounds.unused.get() == 0);
-    let piece = |(bounds, index): (&protocol::layout::BuildBounds, u32)| Piece {
-        bounds: bounds.into(),
-        index,
-    };
-    join(made.map(piece).collect(), store);
+impl SortedMesh {
+    /// [`Sorted::join`] for leaf blocks that SPUs have made.
+    pub(crate) fn join_made(&self, bounds: &[BuildBounds], store: impl FnMut(usize, &[u8])) {
+        let made = bounds.iter().zip(0..).filter(|(bounds, _)| bounds.unused.get() == 0);
+        let pieces = made.map(|(bounds, index)| Piece { bounds: bounds.into(), index });
+        self.what.join(pieces.collect(), store);
+    }
 }

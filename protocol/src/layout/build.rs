@@ -9,6 +9,12 @@
 //! triangles that an SPU sorts by the codes of their centroids. The PPU then divides the codes into
 //! ranges. In the second frame, with `BUILD_PACK`, each unit is such a range: its triangles are
 //! parts of all chunks, which an SPU sorts again and packs into leaf blocks.
+//!
+//! Spheres and cones are built in the same way, with `BUILD_PACK_OBJECTS` in the second frame. The
+//! records that their blocks get take the place of the vertices: three quadwords of a sphere, its
+//! `OBJECT`; five of a cone, its `CONE` and a point at three quarters of its height on the axis. A
+//! sphere's `BUILD_TRIANGLE` has its first quadword three times. A cone's has its first quadword
+//! and the point twice, so that the centroid is the middle of the axis.
 
 use zerocopy::big_endian::{F32, U32, U64};
 use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
@@ -21,7 +27,8 @@ record! {
         /// Effective address of the new blocks.
         blocks: U64,
         /// Effective address of the mesh's vertices, `MESH_VERTEX` records. All of their normals
-        /// are there; the SPUs leave out those of blocks without `SIDES_SMOOTH`.
+        /// are there; the SPUs leave out those of blocks without `SIDES_SMOOTH`. Of spheres and
+        /// cones it is that of their records.
         vertices: U64,
         /// Effective address of the words that list the leaf blocks' vertices. Each block's begin
         /// at a quadword: the number of its runs, then for each run of vertices that follow one
@@ -31,11 +38,11 @@ record! {
         /// Effective address of the `BUILD_BOUNDS` of all blocks, of which those of leaves are
         /// written.
         bounds: U64,
-        /// Vertices of the mesh, at most 2^24.
+        /// Vertices of the mesh, or quadwords of the records, at most 2^24.
         vertex_count: U32,
         /// Words that list vertices, or parts of sorted chunks.
         source_count: U32,
-        /// `BUILD_REFIT`, `BUILD_SORT` or `BUILD_PACK`.
+        /// `BUILD_REFIT`, `BUILD_SORT`, `BUILD_PACK` or `BUILD_PACK_OBJECTS`.
         task: U32,
         /// Triangles to sort, at most 2^24.
         triangle_count: U32,
@@ -61,14 +68,13 @@ record! {
     BuildUnit as "BUILD_UNIT" {
         /// Number of the first one. The others follow it.
         first: U32,
-        /// With `BUILD_REFIT` the blocks, 1 to `BUILD_LEAVES`; with `BUILD_PACK` the most, 1 to
-        /// 255.
+        /// With `BUILD_REFIT` the blocks, 1 to `BUILD_LEAVES`; when packing the most, 1 to 255.
         count: U32,
         /// The first of the words that list their vertices, or the parts of sorted chunks that have
         /// their triangles, in the same form but without their number; a multiple of 4.
         source: U32,
         /// These words: a multiple of 4, at most 256 for each of `BUILD_LEAVES` blocks, or at most
-        /// 512 with `BUILD_PACK`.
+        /// 512 when packing.
         source_count: U32,
         /// Triangles to sort, 1 to `BUILD_CHUNK`.
         triangles: U32,
@@ -78,7 +84,7 @@ record! {
 }
 
 record! {
-    /// A triangle to sort.
+    /// A triangle, a sphere or a cone to sort.
     BuildTriangle as "BUILD_TRIANGLE" {
         /// Its code, which an SPU writes: `SIDES_BOTH` and `SIDES_SMOOTH` times 2, then 30 bits.
         /// Those of the cell's z, y and x take turns, from the last bit on, and each is combined
@@ -86,7 +92,7 @@ record! {
         code: U32,
         /// Vertex of its first corner, plus its material's number times 2^24.
         first: U32,
-        /// Vertex of its second corner, plus its `SIDES_BOTH` and `SIDES_SMOOTH`.
+        /// Vertex of its second corner, plus its `SIDES_BOTH` and `SIDES_SMOOTH`, or `BUILD_CONE`.
         second: U32,
         /// Vertex of its third corner.
         third: U32,
@@ -99,7 +105,7 @@ record! {
         /// Lower corner: x, y, z.
         low: [F32; 3],
         /// Half the surfaces of the boxes in the block, each times the tests that a ray makes that
-        /// meets it.
+        /// meets it; 0 of spheres and cones.
         cost: F32,
         /// Upper corner: x, y, z.
         high: [F32; 3],

@@ -185,7 +185,8 @@ constants! {
     /// Bytes for that code.
     DEPTH_CODE_CAPACITY = 19968;
     /// Address in local store of the code that refits and builds meshes, in the memory of scenes.
-    /// Each frame with `FEATURE_BUILD` brings it in. The code that tests boxes is among it.
+    /// Each frame with `FEATURE_BUILD` brings it in. The code for spheres and cones is among it, in
+    /// the place of the code that tests boxes.
     BUILD_CODE = 0x29100;
     /// Bytes for that code.
     BUILD_CODE_CAPACITY = 16384;
@@ -195,6 +196,17 @@ constants! {
     BUILD_SORT = 1;
     /// `task`: sorted triangles are packed into leaf blocks.
     BUILD_PACK = 2;
+    /// `task`: sorted spheres and cones are packed into leaf blocks.
+    BUILD_PACK_OBJECTS = 3;
+    /// In a `BUILD_TRIANGLE`'s `second`: it stands for a cone. The bit is `SIDES_BOTH` of triangles.
+    BUILD_CONE = 0x4000_0000;
+    /// The fewest spheres or cones of a leaf block, unless it has the last ones of their kind.
+    BUILD_FEWEST = 10;
+    /// The most.
+    BUILD_MOST = 16;
+    /// The load address, in the program's file, of the code for spheres and cones that
+    /// `BUILD_CODE` has at `BOX_CODE`. No code has it in local store.
+    OBJECTS_CODE_LOAD = 0x4_3000;
     /// Most triangles that are sorted together.
     BUILD_CHUNK = 4096;
     /// Most leaf blocks of a `BUILD_UNIT`.

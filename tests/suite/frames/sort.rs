@@ -1,9 +1,9 @@
-//! Frames in which SPUs build a mesh: damaged records are refused, and no byte is written beside
-//! what is to be made.
+//! Frames in which SPUs build a mesh, or blocks of spheres and cones: damaged records are refused,
+//! and no byte is written beside what is to be made.
 
 use protocol::layout::{
-    BUILD_PACK, BUILD_SORT, Build, BuildBounds, BuildTriangle, BuildUnit, MeshHeader, MeshVertex,
-    SIDES_SMOOTH, UnitCounter,
+    BUILD_CONE, BUILD_PACK, BUILD_PACK_OBJECTS, BUILD_SORT, Build, BuildBounds, BuildTriangle,
+    BuildUnit, MeshHeader, MeshVertex, SIDES_SMOOTH, UnitCounter,
 };
 use zerocopy::big_endian::{F32, U32};
 use zerocopy::{FromZeros as _, Immutable};
@@ -14,7 +14,10 @@ use crate::frames::fixture::Fixture;
 use crate::prelude::*;
 
 const VERTICES: u32 = 900;
+/// Triangles, or spheres and cones.
 const TRIANGLES: u32 = 1000;
+/// Quadwords of the records of spheres and cones.
+const RECORDS: u32 = 4 * TRIANGLES;
 const CHUNK: u32 = 250;
 /// The blocks that each range of triangles may take.
 const MOST: u32 = 100;
@@ -69,8 +72,12 @@ struct Sort {
     sorted: Guarded,
     blocks: Guarded,
     bounds: Guarded,
+    /// The triangles or objects to sort.
+    elements: Vec<BuildTriangle>,
     triangles: SharedMemory,
     vertices: SharedMemory,
+    /// The task of the second frame.
+    pack: u32,
     _code: SharedMemory,
 }
 
@@ -87,15 +94,41 @@ fn triangles() -> Vec<BuildTriangle> {
     (0..TRIANGLES).map(triangle).collect()
 }
 
+/// Spheres and cones in turn.
+fn objects() -> Vec<BuildTriangle> {
+    let object = |number: u32| {
+        // A sphere has three quadwords, and a cone five.
+        let (first, point, kind) = match number % 2 {
+            0 => (4 * number, 4 * number, 0),
+            _ => (4 * number - 1, 4 * number + 3, BUILD_CONE),
+        };
+        BuildTriangle {
+            code: U32::ZERO,
+            first: first.into(),
+            second: (point | kind).into(),
+            third: point.into(),
+        }
+    };
+    (0..TRIANGLES).map(object).collect()
+}
+
 fn list<T: IntoBytes + Immutable>(records: &[T]) -> SharedMemory {
     shared(records.as_bytes())
 }
 
 impl Sort {
-    fn new(spus: u32) -> Self {
+    fn triangles(spus: u32) -> Self {
+        Self::of(spus, BUILD_PACK, triangles(), VERTICES)
+    }
+
+    fn objects(spus: u32) -> Self {
+        Self::of(spus, BUILD_PACK_OBJECTS, objects(), RECORDS)
+    }
+
+    fn of(spus: u32, pack: u32, elements: Vec<BuildTriangle>, count: u32) -> Self {
         let fixture = Fixture::of(&scene(), spus);
         let position = |vertex: u32| [1, 3, 7].map(|it| F32::new((it * vertex % 97) as f32 - 40.0));
-        let vertices: Vec<MeshVertex> = (0..VERTICES)
+        let vertices: Vec<MeshVertex> = (0..count)
             .map(|vertex| MeshVertex { position: position(vertex), normal: vertex.into() })
             .collect();
         let chunks: Vec<BuildUnit> = (0..TRIANGLES)
@@ -122,8 +155,7 @@ impl Sort {
             .collect();
         let blocks = ranges.len() * MOST as usize;
         let code = shared(&Program::tracer().build_code());
-        let (triangles, vertices, word_memory) =
-            (list(&triangles()), list(&vertices), list(&words));
+        let (triangles, vertices, word_memory) = (list(&elements), list(&vertices), list(&words));
         let sorted = Guarded::new(TRIANGLES as usize * size_of::<BuildTriangle>());
         let bounds = Guarded::new(blocks * size_of::<BuildBounds>());
         let blocks = Guarded::new(blocks * MESH_BLOCK as usize);
@@ -134,7 +166,7 @@ impl Sort {
             vertices: vertices.address().into(),
             sources: word_memory.address().into(),
             bounds: bounds.address().into(),
-            vertex_count: VERTICES.into(),
+            vertex_count: count.into(),
             source_count: (words.len() as u32).into(),
             triangle_count: TRIANGLES.into(),
             triangles: triangles.address().into(),
@@ -163,8 +195,10 @@ impl Sort {
             sorted,
             blocks,
             bounds,
+            elements,
             triangles,
             vertices,
+            pack,
             _code: code,
         }
     }
@@ -187,7 +221,7 @@ impl Sort {
         self.blocks.reset();
         self.bounds.reset();
         self.submit(BUILD_SORT).unwrap();
-        self.submit(BUILD_PACK).unwrap();
+        self.submit(self.pack).unwrap();
         self.blocks.read()
     }
 
@@ -199,7 +233,7 @@ impl Sort {
         spoil(self);
         let outcome = self.submit(task);
         (self.frame, self.build, self.chunks, self.ranges) = (frame, build, chunks, ranges);
-        self.triangles.write(0, triangles().as_bytes());
+        self.triangles.write(0, self.elements.as_bytes());
         self.word_memory.write(0, self.words.as_bytes());
         is_refused(what, outcome.map(|()| Vec::new()));
         self.made();
@@ -213,124 +247,161 @@ impl Sort {
     }
 }
 
+const KINDS: [fn(u32) -> Sort; 2] = [Sort::triangles, Sort::objects];
+
 #[test]
 fn blocks_are_the_same_by_any_number_of_spus() {
-    let mut one = Sort::new(1);
-    let made = one.made();
-    let sorted = one.sorted.read();
-    let sorted = <[BuildTriangle]>::ref_from_bytes(&sorted).unwrap();
-    assert!(sorted.chunks(CHUNK as usize).all(|it| it.is_sorted_by_key(|it| it.code.get())));
-    let headers = made.chunks(MESH_BLOCK as usize).map(|block| &block[..4]);
-    let count = headers.filter(|magic| *magic == b"MESH").count();
-    assert!((20..10 * MOST as usize).contains(&count), "{count}");
-    for spus in 2..=6 {
-        assert!(Sort::new(spus).made() == made, "{spus}");
+    for make in KINDS {
+        let mut one = make(1);
+        let made = one.made();
+        let sorted = one.sorted.read();
+        let sorted = <[BuildTriangle]>::ref_from_bytes(&sorted).unwrap();
+        assert!(sorted.chunks(CHUNK as usize).all(|it| it.is_sorted_by_key(|it| it.code.get())));
+        let headers = made.chunks(MESH_BLOCK as usize).map(|block| &block[..4]);
+        let count = headers.filter(|magic| *magic == b"MESH").count();
+        assert!((20..10 * MOST as usize).contains(&count), "{count}");
+        for spus in 2..=6 {
+            assert!(make(spus).made() == made, "{spus}");
+        }
     }
 }
 
 #[test]
 fn damaged_records_are_refused() {
-    let mut sort = Sort::new(2);
-    for task in [BUILD_SORT, BUILD_PACK] {
-        sort.refused("blocks beside a line", task, |it| it.build.blocks = 16.into());
-        sort.refused("triangles beside a line", task, |it| it.build.triangles = 16.into());
-        sort.refused("sorted ones beside a line", task, |it| it.build.sorted = 64.into());
-        sort.refused("fewer triangles", task, |it| it.build.triangle_count = 700.into());
-        sort.refused("very many triangles", task, |it| it.build.triangle_count = u32::MAX.into());
-        sort.refused("fewer vertices", task, |it| it.build.vertex_count = 100.into());
-        sort.refused("very many vertices", task, |it| it.build.vertex_count = u32::MAX.into());
-        sort.refused("sorted ones across 4 GB", task, |it| it.build.sorted = 0xffff_ff80.into());
+    for mut sort in KINDS.map(|make| make(2)) {
+        let pack = sort.pack;
+        for task in [BUILD_SORT, pack] {
+            sort.refused("blocks beside a line", task, |it| it.build.blocks = 16.into());
+            sort.refused("triangles beside a line", task, |it| it.build.triangles = 16.into());
+            sort.refused("sorted ones beside a line", task, |it| it.build.sorted = 64.into());
+            sort.refused("fewer triangles", task, |it| it.build.triangle_count = 700.into());
+            sort.refused("very many triangles", task, |it| {
+                it.build.triangle_count = u32::MAX.into()
+            });
+            sort.refused("fewer vertices", task, |it| it.build.vertex_count = 100.into());
+            sort.refused("very many vertices", task, |it| it.build.vertex_count = u32::MAX.into());
+            sort.refused("sorted ones across 4 GB", task, |it| {
+                it.build.sorted = 0xffff_ff80.into()
+            });
+        }
+        sort.refused("no such task", 4, |_| ());
+        sort.refused("fewer blocks", pack, |it| it.frame.mesh_blocks = 100.into());
+        sort.refused("fewer words", pack, |it| it.build.source_count = 8.into());
     }
-    sort.refused("no such task", 3, |_| ());
-    sort.refused("fewer blocks", BUILD_PACK, |it| it.frame.mesh_blocks = 100.into());
-    sort.refused("fewer words", BUILD_PACK, |it| it.build.source_count = 8.into());
 }
 
 #[test]
 fn one_triangle_is_built_and_none_is_refused() {
-    let mut sort = Sort::new(6);
-    for task in [BUILD_SORT, BUILD_PACK] {
-        sort.refused("no triangle", task, |it| it.build.triangle_count = 0.into());
+    for (make, vertices) in KINDS.into_iter().zip([3, 0]) {
+        let mut sort = make(6);
+        for task in [BUILD_SORT, sort.pack] {
+            sort.refused("no triangle", task, |it| it.build.triangle_count = 0.into());
+        }
+        let triangles = U32::new(1);
+        sort.build.triangle_count = triangles;
+        sort.chunks = vec![BuildUnit { triangles, ..sort.chunks[0] }];
+        sort.ranges = vec![BuildUnit { triangles, ..sort.ranges[0] }];
+        sort.word_memory.write(0, [1 << 24, 0, 0, 0].map(U32::new).as_bytes());
+        let made = sort.made();
+        let (header, _) = MeshHeader::ref_from_prefix(&made).unwrap();
+        assert_eq!(
+            [header.triangles, header.vertices, header.nodes],
+            [1, vertices, 1].map(U32::new)
+        );
+        assert!(made[MESH_BLOCK as usize..].iter().all(|byte| *byte == JUNK));
     }
-    let triangles = U32::new(1);
-    sort.build.triangle_count = triangles;
-    sort.chunks = vec![BuildUnit { triangles, ..sort.chunks[0] }];
-    sort.ranges = vec![BuildUnit { triangles, ..sort.ranges[0] }];
-    sort.word_memory.write(0, [1 << 24, 0, 0, 0].map(U32::new).as_bytes());
-    let made = sort.made();
-    let (header, _) = MeshHeader::ref_from_prefix(&made).unwrap();
-    assert_eq!([header.triangles, header.vertices, header.nodes], [1, 3, 1].map(U32::new));
-    assert!(made[MESH_BLOCK as usize..].iter().all(|byte| *byte == JUNK));
 }
 
 #[test]
 fn damaged_units_are_refused() {
-    let mut sort = Sort::new(2);
-    for task in [BUILD_SORT, BUILD_PACK] {
-        sort.refused_unit("no triangle", task, |unit| unit.triangles = 0.into());
-        sort.refused_unit("4,097 triangles", task, |unit| unit.triangles = 4097.into());
-        sort.refused_unit("any number of them", task, |unit| unit.triangles = u32::MAX.into());
-        sort.refused_unit("one beyond any", task, |unit| unit.first = u32::MAX.into());
+    for mut sort in KINDS.map(|make| make(2)) {
+        let pack = sort.pack;
+        for task in [BUILD_SORT, pack] {
+            sort.refused_unit("no triangle", task, |unit| unit.triangles = 0.into());
+            sort.refused_unit("4,097 triangles", task, |unit| unit.triangles = 4097.into());
+            sort.refused_unit("any number of them", task, |unit| unit.triangles = u32::MAX.into());
+            sort.refused_unit("one beyond any", task, |unit| unit.first = u32::MAX.into());
+        }
+        sort.refused_unit("one beyond the last", BUILD_SORT, |it| {
+            it.first = (TRIANGLES - 9).into()
+        });
+        sort.refused_unit("no block", pack, |unit| unit.count = 0.into());
+        sort.refused_unit("too few blocks", pack, |unit| unit.count = 1.into());
+        sort.refused_unit("256 blocks", pack, |unit| unit.count = 256.into());
+        sort.refused_unit("blocks beyond the last", pack, |unit| {
+            unit.first = (9 * MOST + 1).into()
+        });
+        sort.refused_unit("fewer triangles", pack, |unit| unit.triangles -= 1);
+        sort.refused_unit("words between quadwords", pack, |unit| unit.source += 2);
+        sort.refused_unit("no words", pack, |unit| unit.source_count = 0.into());
+        sort.refused_unit("516 words", pack, |unit| unit.source_count = 516.into());
+        sort.refused_unit("words beyond the last", pack, |it| it.source = 0x4000_0000.into());
     }
-    sort.refused_unit("one beyond the last", BUILD_SORT, |it| it.first = (TRIANGLES - 9).into());
-    sort.refused_unit("no block", BUILD_PACK, |unit| unit.count = 0.into());
-    sort.refused_unit("too few blocks", BUILD_PACK, |unit| unit.count = 1.into());
-    sort.refused_unit("256 blocks", BUILD_PACK, |unit| unit.count = 256.into());
-    sort.refused_unit("blocks beyond the last", BUILD_PACK, |unit| {
-        unit.first = (9 * MOST + 1).into()
-    });
-    sort.refused_unit("fewer triangles", BUILD_PACK, |unit| unit.triangles -= 1);
-    sort.refused_unit("words between quadwords", BUILD_PACK, |unit| unit.source += 2);
-    sort.refused_unit("no words", BUILD_PACK, |unit| unit.source_count = 0.into());
-    sort.refused_unit("516 words", BUILD_PACK, |unit| unit.source_count = 516.into());
-    sort.refused_unit("words beyond the last", BUILD_PACK, |it| it.source = 0x4000_0000.into());
 }
 
 #[test]
 fn damaged_words_and_triangles_are_refused() {
-    let mut sort = Sort::new(2);
-    for word in [0, u32::MAX, 25 << 24 | TRIANGLES, 24 << 24, 26 << 24] {
-        sort.refused("another word", BUILD_PACK, |it| {
-            it.word_memory.write(24, &word.to_be_bytes());
-        });
+    for mut sort in KINDS.map(|make| make(2)) {
+        let pack = sort.pack;
+        for word in [0, u32::MAX, 25 << 24 | TRIANGLES, 24 << 24, 26 << 24] {
+            sort.refused("another word", pack, |it| {
+                it.word_memory.write(24, &word.to_be_bytes());
+            });
+        }
+        // The points of spheres and cones are only needed for their codes.
+        let packed = if pack == BUILD_PACK { 1..4 } else { 1..2 };
+        let damage = (sort.build.vertex_count.get() | 0x4000_0000).to_be_bytes();
+        for corner in 1..4 {
+            sort.refused("a triangle's vertex", BUILD_SORT, |it| {
+                it.triangles.write(16 * 777 + 4 * corner, &damage);
+            });
+        }
+        for corner in packed {
+            sort.refused("a sorted triangle's vertex", pack, |it| {
+                it.sorted.memory.write(GUARD + 16 * 777 + 4 * corner, &damage);
+            });
+        }
     }
-    for corner in 1..4 {
-        let damage = (VERTICES | 0x4000_0000).to_be_bytes();
-        sort.refused("a triangle's vertex", BUILD_SORT, |it| {
-            it.triangles.write(16 * 777 + 4 * corner, &damage);
-        });
-        sort.refused("a sorted triangle's vertex", BUILD_PACK, |it| {
-            it.sorted.memory.write(GUARD + 16 * 777 + 4 * corner, &damage);
-        });
-    }
+    let mut sort = Sort::objects(2);
+    sort.refused("a record that ends beyond the last", BUILD_PACK_OBJECTS, |it| {
+        it.sorted.memory.write(GUARD + 16 * 777 + 4, &(RECORDS - 2).to_be_bytes());
+    });
 }
 
 /// Damage that only the codes and boxes get wrong by: it ends, and nothing else is written.
 #[test]
 fn other_damage_is_harmless() {
-    let mut sort = Sort::new(2);
-    let numbers = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e38, -0.0, 1e-42];
-    let vertices: Vec<MeshVertex> = (0..VERTICES as usize)
-        .map(|it| MeshVertex {
-            position: [it, it + 1, it + 3].map(|it| F32::new(numbers[it % numbers.len()])),
-            normal: u32::MAX.into(),
-        })
-        .collect();
-    sort.vertices.write(0, vertices.as_bytes());
-    let made = sort.made();
-    assert!(made.chunks(MESH_BLOCK as usize).any(|block| &block[..4] == b"MESH"));
-    let junk = [u32::MAX, 0, 1 << 31, 0x7f80_0000];
-    for (number, &word) in junk.iter().enumerate() {
-        sort.build.scale = F32::new(f32::from_bits(word));
-        sort.build.shift = junk[(number + 1) % 4].into();
-        sort.build.low = [U32::new(junk[(number + 2) % 4]); 3];
-        sort.made();
+    for mut sort in KINDS.map(|make| make(2)) {
+        let numbers = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e38, -0.0, 1e-42];
+        let vertices: Vec<MeshVertex> = (0..sort.build.vertex_count.get() as usize)
+            .map(|it| MeshVertex {
+                position: [it, it + 1, it + 3].map(|it| F32::new(numbers[it % numbers.len()])),
+                normal: u32::MAX.into(),
+            })
+            .collect();
+        sort.vertices.write(0, vertices.as_bytes());
+        let made = sort.made();
+        assert!(made.chunks(MESH_BLOCK as usize).any(|block| &block[..4] == b"MESH"));
+        let junk = [u32::MAX, 0, 1 << 31, 0x7f80_0000];
+        for (number, &word) in junk.iter().enumerate() {
+            sort.build.scale = F32::new(f32::from_bits(word));
+            sort.build.shift = junk[(number + 1) % 4].into();
+            sort.build.low = [U32::new(junk[(number + 2) % 4]); 3];
+            sort.made();
+        }
+        // Codes in no order.
+        sort.submit(BUILD_SORT).unwrap();
+        for at in 0..TRIANGLES as usize {
+            let code = (at as u32).wrapping_mul(0x9e37_79b9);
+            sort.sorted.memory.write(GUARD + 16 * at, &code.to_be_bytes());
+        }
+        sort.submit(sort.pack).unwrap();
     }
-    // Codes in no order.
+    // Codes of another kind than the objects are.
+    let mut sort = Sort::objects(2);
     sort.submit(BUILD_SORT).unwrap();
-    for at in 0..TRIANGLES as usize {
-        let code = (at as u32).wrapping_mul(0x9e37_79b9);
-        sort.sorted.memory.write(GUARD + 16 * at, &code.to_be_bytes());
+    for at in (0..TRIANGLES as usize).step_by(3) {
+        sort.sorted.memory.write(GUARD + 16 * at, &u32::MAX.to_be_bytes());
     }
-    sort.submit(BUILD_PACK).unwrap();
+    sort.submit(BUILD_PACK_OBJECTS).unwrap();
 }

@@ -8,6 +8,7 @@ mod fresh;
 mod handles;
 mod input;
 mod meshes;
+mod moving;
 mod rebuild;
 mod refined;
 mod refit;

@@ -14,7 +14,7 @@ use super::meshes::{materials, soup};
 use super::valid::Parts;
 
 /// Cones of all forms: cylinders, those with an apex, and those along an axis.
-fn cones(count: u32, seed: u64) -> Vec<MeshCone> {
+pub(super) fn cones(count: u32, seed: u64) -> Vec<MeshCone> {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     (0..count)
         .map(|number| {

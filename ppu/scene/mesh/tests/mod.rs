@@ -2,6 +2,7 @@
 
 mod cones;
 mod meshes;
+mod moving;
 mod refit;
 mod refusals;
 mod spheres;

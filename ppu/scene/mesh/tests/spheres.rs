@@ -10,7 +10,7 @@ use super::super::{MeshBlocks, MeshObjects, MeshSphere};
 use super::meshes::{materials, soup};
 use super::valid::Parts;
 
-fn spheres(count: u32, seed: u64) -> Vec<MeshSphere> {
+pub(super) fn spheres(count: u32, seed: u64) -> Vec<MeshSphere> {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     (0..count)
         .map(|number| MeshSphere {

@@ -5,6 +5,7 @@ pub mod bounds;
 pub mod boxes;
 pub mod build;
 pub mod call;
+pub mod objects;
 pub mod patches;
 pub mod rays;
 pub mod sort;
@@ -29,8 +30,9 @@ use bounds::{Bounds, EyeBounds, Farthest};
 use boxes::Boxed;
 use build::{Leaf, Sources};
 use call::Node;
+use objects::{BoxObjects, PackObjects};
 use patches::{FlatPatches, ListHits};
-use protocol::layout::MESH_HIT;
+use protocol::layout::{BUILD_CONE, MESH_HIT};
 use rays::{Alive, Batch, FewRays, FilterRays, Records, Visits};
 use sort::{Codes, CornerList, Pack, Sort};
 use triangles::{FilterTriangles, IsectRows, IsectRuns, Rows};
@@ -66,6 +68,12 @@ pub fn kernels() -> Vec<Kernel> {
         })])
         .rays(1),
         Kernel::of([case("a strip of triangles", Objects::Fixed(1), |_| Pack::strip(100))]).rays(1),
+        Kernel::of([case("30 spheres", Objects::Fixed(1), |_| PackObjects::spheres(30))]).rays(1),
+        Kernel::of([
+            case("16 spheres", Objects::Fixed(1), |_| BoxObjects::of(16, 0)),
+            case("16 cones", Objects::Fixed(1), |_| BoxObjects::of(16, BUILD_CONE)),
+        ])
+        .rays(1),
         Kernel::of([case("packets", PACKETS, |count| Bounds {
             packets: packets(count),
             shears: 0,

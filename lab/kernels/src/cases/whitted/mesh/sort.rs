@@ -10,7 +10,7 @@ use protocol::layout::{SIDES_BOTH, SIDES_SMOOTH};
 const LIST: usize = 94;
 const MEMORY: usize = 10_208 / 4;
 
-fn put_triangles(bench: &mut Bench, triangles: &[Triangle]) -> Place {
+pub(super) fn put_triangles(bench: &mut Bench, triangles: &[Triangle]) -> Place {
     put(bench, &triangles.iter().map(|it| it.map(U32::new)).collect::<Vec<_>>())
 }
 
@@ -18,7 +18,7 @@ fn read_triangles(bench: &Bench, place: Place) -> Vec<Triangle> {
     bench.read_all::<[U32; 4]>(place).into_iter().map(|it| it.map(U32::get)).collect()
 }
 
-fn any_triangle(random: &mut ChaCha8Rng) -> Triangle {
+pub(super) fn any_triangle(random: &mut ChaCha8Rng) -> Triangle {
     [(); 4].map(|()| random.random())
 }
 

@@ -1,0 +1,57 @@
+//! Spheres and cones in blocks in the order of codes: each in one leaf, in a box that holds it.
+
+use protocol::layout::{Cone, MESH_BLOCK, MESH_CONES, MESH_SPHERES, Object};
+use zerocopy::FromBytes as _;
+use zerocopy::big_endian::F32;
+
+use super::super::{MeshBlocks, MeshObject, NumberWidth, Numbers};
+use super::cones::cones;
+use super::spheres::spheres;
+use super::valid::Parts;
+
+#[test]
+fn every_object_is_in_one_leaf() {
+    for (spheres_count, cones_count) in [(1, 0), (0, 1), (16, 17), (3000, 0), (500, 2000)] {
+        let spheres = spheres(spheres_count, 1).into_iter().map(MeshObject::Sphere);
+        let cones = cones(cones_count, 2).into_iter().map(MeshObject::Cone);
+        let objects: Vec<_> = spheres.chain(cones).enumerate().collect();
+        let numbers = Numbers { firsts: &[0, 1], minimum: NumberWidth::Byte };
+        let (mut blocks, sorted, _) = MeshBlocks::objects_to_sort(&objects, 2, numbers).unwrap();
+        blocks.make_sorted(&scenes::Mesh::default(), &sorted);
+        let kinds = [MESH_SPHERES, MESH_CONES];
+        let mut found = [Vec::new(), Vec::new()];
+        for number in 0..blocks.count() {
+            let parts = Parts::of(&blocks, number);
+            let kind = kinds.iter().position(|&kind| parts.header.kind.get() == kind);
+            let Some(kind) = kind else { continue };
+            let block = &blocks.bytes()[number as usize * MESH_BLOCK as usize..];
+            for (bounds, offset) in parts.objects() {
+                let (object, _) = Object::read_from_prefix(&block[offset as usize..]).unwrap();
+                let centre = object.centre.map(F32::get);
+                let same = objects.iter().find(|(_, it)| match it {
+                    MeshObject::Sphere(sphere) => kind == 0 && sphere.centre == centre.into(),
+                    MeshObject::Cone(cone) => kind == 1 && cone.base == centre.into(),
+                });
+                let (number, same) = same.unwrap();
+                let (exact, spare) = match same {
+                    MeshObject::Sphere(sphere) => (sphere.bounds(), 0.0),
+                    MeshObject::Cone(cone) => {
+                        let (record, _) =
+                            Cone::read_from_prefix(&block[offset as usize..]).unwrap();
+                        assert_eq!(record.height.get(), cone.height);
+                        let apex = cone.radius + cone.growth * cone.height;
+                        (cone.bounds(), 0.07 * cone.radius.max(apex))
+                    }
+                };
+                for beyond in [exact.low - bounds.low, bounds.high - exact.high] {
+                    assert!(beyond.min_element() > -4e-7, "{same:?}: {bounds:?}");
+                    assert!(beyond.max_element() < spare + 4e-7, "{same:?}: {bounds:?}");
+                }
+                found[kind].push(*number);
+            }
+        }
+        found.iter_mut().for_each(|it| it.sort_unstable());
+        let all = (0..objects.len()).collect::<Vec<_>>();
+        assert_eq!(found.concat(), all);
+    }
+}
