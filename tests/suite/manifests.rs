@@ -1,4 +1,4 @@
-//! Checks that a library says in its manifest whether it has tests or examples. Cargo otherwise
+//! Checks that manifests name the libraries without tests or without examples. Cargo otherwise
 //! compiles the library a second time for a program without tests, and starts rustdoc for it.
 
 use crate::links::{files, read};
@@ -16,7 +16,7 @@ fn any(sources: &[String], has: impl Fn(&str) -> bool) -> bool {
 }
 
 #[test]
-fn manifests_say_which_libraries_have_tests_and_examples() {
+fn manifests_name_libraries_without_tests_or_examples() {
     let mut wrong = Vec::new();
     for manifest in files(Path::new("")).iter().filter(|path| path.ends_with("Cargo.toml")) {
         let sources = manifest.with_file_name("src");
@@ -36,8 +36,8 @@ fn manifests_say_which_libraries_have_tests_and_examples() {
         });
         for (key, has) in [("test", tests), ("doctest", examples)] {
             if section.contains(&format!("{key} = false").as_str()) == has {
-                let says = if has { "must not say" } else { "must say" };
-                wrong.push(format!("{}: [lib] {says} {key} = false", manifest.display()));
+                let must = if has { "must not have" } else { "must have" };
+                wrong.push(format!("{}: [lib] {must} {key} = false", manifest.display()));
             }
         }
     }

@@ -4,8 +4,9 @@
 
 use std::env;
 
-use cellray::scene::{BuildBy, SceneBlock};
+use cellray::scene::BuildBy;
 
+use super::rebuild::{blocks, has_all};
 use super::refit::{engine, picture};
 use crate::prelude::*;
 
@@ -72,18 +73,6 @@ fn shapes(spheres: usize, cones: usize, picture: u64) -> Vec<Shape> {
         }
     }
     shapes
-}
-
-fn blocks(scene: &Scene) -> &[u8] {
-    scene.block().and_then(SceneBlock::mesh).unwrap().blocks.bytes()
-}
-
-/// Whether all blocks that the PPU has made are among those of the SPUs.
-fn has_all(made: &[u8], expected: &[u8]) -> bool {
-    let size = MESH_BLOCK as usize;
-    let mut pairs = expected.chunks(size).zip(made.chunks(size));
-    expected.len() == made.len()
-        && pairs.all(|(expected, made)| expected[0] == 0 || expected == made)
 }
 
 #[test]

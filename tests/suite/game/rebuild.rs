@@ -39,12 +39,12 @@ fn soup(count: u32) -> Mesh {
     mesh
 }
 
-fn blocks(scene: &Scene) -> &[u8] {
+pub(super) fn blocks(scene: &Scene) -> &[u8] {
     scene.block().and_then(SceneBlock::mesh).unwrap().blocks.bytes()
 }
 
 /// Whether all blocks that the PPU has made are among those of the SPUs.
-fn has_all(made: &[u8], expected: &[u8]) -> bool {
+pub(super) fn has_all(made: &[u8], expected: &[u8]) -> bool {
     let size = MESH_BLOCK as usize;
     let mut pairs = expected.chunks(size).zip(made.chunks(size));
     expected.len() == made.len()
