@@ -22,10 +22,10 @@ use protocol::layout::MAX_SPHERES;
 /// time as the SPUs need to trace the whole picture: `docs/meshes.md` has the measurements.
 const SPUS_REFIT: usize = 1000;
 
-/// From this number of pictures in a row on that need a new tree of a mesh, SPUs build it. They take
-/// a tenth of the time that the PPU does, but rays make more tests with it, so a tree that lasts is
-/// not theirs. Spheres and cones in main memory that move would take the PPU even longer than a mesh,
-/// so it builds no tree of these.
+/// From this number of pictures in a row on that need a new tree of a mesh, SPUs build it. They
+/// take a tenth of the time that the PPU does, but rays make more tests with it, so a tree that
+/// lasts is not theirs. Spheres and cones in main memory that move would take the PPU even longer
+/// than a mesh, so it builds no tree of these.
 const SHORT_LIVED: u32 = 3;
 
 impl WorldMaterial {

@@ -281,7 +281,8 @@ impl Shaft {
     }
 }
 
-/// The parts of a convex polygon on both sides of a plane: where the depth is above 0, and the rest.
+/// The parts of a convex polygon on both sides of a plane: where the depth is above 0, and the
+/// rest.
 fn divided(polygon: &[DVec3], depth: impl Fn(DVec3) -> f64) -> [Vec<DVec3>; 2] {
     let mut parts = [Vec::new(), Vec::new()];
     for (at, &point) in polygon.iter().enumerate() {

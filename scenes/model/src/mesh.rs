@@ -8,9 +8,9 @@ use glam::{BVec3, DVec3, Vec3};
 
 use crate::Shape;
 
-/// Which lights reach a triangle, for those of which that is known, so that they need no shadow rays
-/// there. The bit 2^n is for all lights whose number in the scene is n modulo 16. SPUs use it in
-/// meshes with colours of vertices.
+/// Which lights reach a triangle, for those of which that is known, so that they need no shadow
+/// rays there. The bit 2^n is for all lights whose number in the scene is n modulo 16. SPUs use it
+/// in meshes with colours of vertices.
 ///
 /// It is a promise of who makes the mesh, for as long as it is traced. With a wrong bit light goes
 /// through what is in its way, or is missing.

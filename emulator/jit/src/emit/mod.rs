@@ -264,8 +264,8 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    /// Emits the start of a unit or of an iteration. The unit exits unless the budget covers all its
-    /// instructions. Then it counts the entry, and a baseline unit may exit as hot.
+    /// Emits the start of a unit or of an iteration. The unit exits unless the budget covers all
+    /// its instructions. Then it counts the entry, and a baseline unit may exit as hot.
     fn enter(&mut self, steps: usize) {
         let longest = self.b.ins().iconst(types::I64, steps as i64);
         let short = self.b.ins().icmp(IntCC::SignedLessThan, self.budget, longest);

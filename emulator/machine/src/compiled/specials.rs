@@ -33,8 +33,8 @@ impl Specials {
     }
 
     /// Replays a trace from the SPU's program counter on, and returns the instructions that
-    /// singles can't compute, and loads of quadwords that the trace has stored. The replay ends where the SPU leaves the trace. The SPU itself is
-    /// unchanged.
+    /// singles can't compute, and loads of quadwords that the trace has stored. The replay ends
+    /// where the SPU leaves the trace. The SPU itself is unchanged.
     pub fn find(&mut self, trace: &Trace, spu: &Spu, local_store: &LocalStore) -> Steps {
         // The quadwords that the replay has loaded or stored. They are copied when it needs them,
         // because copying all of local store would take longer than the replay.
