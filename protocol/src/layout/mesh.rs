@@ -7,9 +7,10 @@
 //! how far a cone's surface is from its base at most, less its offset, or 0. With
 //! `SIDES_TEXTURED`, `MESH_UV` records of the vertices begin at the next quadword. With
 //! `SIDES_COLOURED`, `MESH_COLOUR` records of the vertices begin at the quadword after these. With
-//! `SIDES_VISIBILITY`, `MESH_VISIBILITY` records of the triangles begin at the quadword after these.
-//! With `SIDES_WIDE` the upper bytes of the materials' numbers are at `MESH_UPPER`. Positions are in the
-//! mesh's own coordinates until a block is in local store, and relative to the eye there.
+//! `SIDES_VISIBILITY`, `MESH_VISIBILITY` records of the triangles begin at the quadword after
+//! these. With `SIDES_WIDE` the upper bytes of the materials' numbers are at `MESH_UPPER`.
+//! Positions are in the mesh's own coordinates until a block is in local store, and relative to
+//! the eye there.
 //!
 //! Block 0 is the root, and a child comes after its parent. The nodes of a block are stored level
 //! by level, each level complete, and a level's nodes are in the order of their parents. A node's

@@ -198,7 +198,8 @@ constants! {
     BUILD_PACK = 2;
     /// `task`: sorted spheres and cones are packed into leaf blocks.
     BUILD_PACK_OBJECTS = 3;
-    /// In a `BUILD_TRIANGLE`'s `second`: it stands for a cone. The bit is `SIDES_BOTH` of triangles.
+    /// In a `BUILD_TRIANGLE`'s `second`: it stands for a cone. The bit is `SIDES_BOTH` of
+    /// triangles.
     BUILD_CONE = 0x4000_0000;
     /// The fewest spheres or cones of a leaf block, unless it has the last ones of their kind.
     BUILD_FEWEST = 10;

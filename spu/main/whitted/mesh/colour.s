@@ -1,5 +1,5 @@
-# Colours at the vertices of the mesh: multiplies the colours of surfaces by them. And the visibility
-# of lights: takes the shadow rays out of their packets of which it is known where they end.
+# Multiplies the colours of surfaces by those at the vertices of the mesh. Takes shadow rays out of
+# their packets if the mesh has the visibility of their light.
 #
 # This file and its kernel are in local store only in frames with FEATURE_COLOURS, at COLOUR_CODE.
 
