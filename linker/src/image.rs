@@ -1,13 +1,14 @@
 //! Builds one SPU ELF image from `.s` files.
 
 use std::cmp::Reverse;
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use protocol::assembler;
 use protocol::formulation::Formulations;
+use spu_scheduler::Kind;
 
 use crate::{Error, Schedules, Tools, each, file_error, run, write};
 
@@ -16,7 +17,7 @@ use crate::{Error, Schedules, Tools, each, file_error, run, write};
 pub struct Image {
     folders: Vec<PathBuf>,
     sources: Vec<PathBuf>,
-    kernels: BTreeSet<PathBuf>,
+    scheduled: BTreeMap<PathBuf, Kind>,
     includes: Vec<PathBuf>,
     constants: bool,
     script: PathBuf,
@@ -36,7 +37,7 @@ impl Image {
         Self {
             folders: Vec::new(),
             sources: Vec::new(),
-            kernels: BTreeSet::new(),
+            scheduled: BTreeMap::new(),
             includes: Vec::new(),
             constants: false,
             script: script.to_path_buf(),
@@ -66,16 +67,27 @@ impl Image {
     /// Adds all `.s` files in `folder` and its sub-folders as kernels: the image contains their
     /// schedules.
     pub fn kernels(self, folder: &Path) -> Result<Self, Error> {
+        self.scheduled(folder, Kind::Kernel)
+    }
+
+    /// Adds all `.s` files in `folder` and its sub-folders as drivers, which call kernels and each
+    /// other: in the image, the instructions of their blocks are reordered.
+    pub fn drivers(self, folder: &Path) -> Result<Self, Error> {
+        self.scheduled(folder, Kind::Driver)
+    }
+
+    fn scheduled(self, folder: &Path, kind: Kind) -> Result<Self, Error> {
         let before = self.sources.len();
         let mut image = self.folder(folder)?;
-        image.kernels.extend(image.sources[before..].iter().cloned());
+        let sources = image.sources[before..].iter();
+        image.scheduled.extend(sources.map(|source| (source.clone(), kind)));
         Ok(image)
     }
 
     /// Adds one `.s` file as a kernel.
     #[must_use]
     pub fn kernel(mut self, file: &Path) -> Self {
-        self.kernels.insert(file.to_path_buf());
+        self.scheduled.insert(file.to_path_buf(), Kind::Kernel);
         self.source(file)
     }
 
@@ -156,8 +168,8 @@ impl Image {
             write(&work.join(assembler::FILE), &assembler::constants())?;
             includes.push(work.to_path_buf());
         }
-        let kernels = !self.kernels.is_empty();
-        let schedules = kernels.then(|| Schedules::new(tools, &includes)).transpose()?;
+        let schedules = !self.scheduled.is_empty();
+        let schedules = schedules.then(|| Schedules::new(tools, &includes)).transpose()?;
         let mut numbered: Vec<(usize, &PathBuf)> = self.sources.iter().enumerate().collect();
         // Long kernels take longest, and would keep one processor busy alone at the end.
         let length = |source: &PathBuf| fs::metadata(source).map_or(0, |file| file.len());
@@ -165,8 +177,9 @@ impl Image {
         let mut objects = each(&numbered, |&(number, source)| {
             let stem = source.file_stem().unwrap_or_default().to_string_lossy();
             let object = work.join(format!("{number:02}-{stem}.o"));
-            let schedules = schedules.as_ref().filter(|_| self.kernels.contains(source));
-            let scheduled = schedules.map(|schedules| schedules.file(source)).transpose()?;
+            let schedules = schedules.as_ref().zip(self.scheduled.get(source));
+            let scheduled = schedules.map(|(schedules, &kind)| schedules.file(source, kind));
+            let scheduled = scheduled.transpose()?;
             let source = scheduled.as_ref().unwrap_or(source);
             tools.assemble(&includes, &["--strip-local-absolute"], &object, source)?;
             Ok((number, object))

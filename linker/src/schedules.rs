@@ -12,7 +12,7 @@ use std::hash::{DefaultHasher, Hash, Hasher as _};
 use std::path::{Path, PathBuf};
 
 use protocol::assembler;
-use spu_scheduler::{Figures, LoopReport, Outcome, Scheduled, schedule};
+use spu_scheduler::{Figures, Kind, LoopReport, Outcome, Scheduled, schedule};
 
 use crate::{Error, Tools, file_error, tools};
 
@@ -71,10 +71,12 @@ impl Schedules {
     /// # Errors
     ///
     /// The source can't be assembled or scheduled, or a file can't be read or written.
-    pub fn file(&self, source: &Path) -> Result<PathBuf, Error> {
+    pub fn file(&self, source: &Path, kind: Kind) -> Result<PathBuf, Error> {
         let name = source.file_name().unwrap_or_default();
         let text = read(source)?;
-        let further = (spu_scheduler::SOURCES, self.code(source)?, name);
+        // A driver's line table names its source.
+        let named = (kind == Kind::Driver).then_some(source);
+        let further = (spu_scheduler::SOURCES, kind, self.code(source)?, name, named);
         let (folder, kept) = self.place(&text, Included::Code, further, name)?;
         if kept.is_file() {
             return Ok(kept);
@@ -91,7 +93,7 @@ impl Schedules {
             object(&fresh)
         };
         let plain = object(source)?;
-        let made = schedule(&plain, &source.to_string_lossy(), &text, assemble)
+        let made = schedule(&plain, kind, &source.to_string_lossy(), &text, assemble)
             .map_err(|error| Error::Scheduler { path: source.to_path_buf(), source: error })?;
         let notes: String = made.loops.iter().map(loop_line).collect();
         crate::write(&fresh, &(made.text + &notes))?;
@@ -100,13 +102,13 @@ impl Schedules {
         Ok(kept)
     }
 
-    /// A source's schedule, and what the scheduler reports of its loops.
+    /// A kernel's schedule, and what the scheduler reports of its loops.
     ///
     /// # Errors
     ///
     /// The same as those of [`file`](Self::file).
     pub fn schedule(&self, source: &Path) -> Result<Scheduled, Error> {
-        let kept = self.file(source)?;
+        let kept = self.file(source, Kind::Kernel)?;
         let text = read(&kept)?;
         let (loops, lines): (Vec<&str>, Vec<&str>) =
             text.split_inclusive('\n').partition(|line| line.starts_with(LOOP));

@@ -19,7 +19,7 @@ pub fn tracer() -> Result<Image, Error> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     // A link to the repository's folder, so that this crate's package contains the files.
     let spu = root.join("spu");
-    let mut image = Image::new(&root.join("spu.ld")).folder(&spu.join("main"))?;
+    let mut image = Image::new(&root.join("spu.ld")).drivers(&spu.join("main"))?;
     for kernels in KERNELS {
         image = image.kernels(&spu.join(kernels))?;
     }

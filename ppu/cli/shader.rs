@@ -100,12 +100,14 @@ fn schedule(source: &Path, out: Option<&Path>) -> Outcome {
     };
     let plain = assemble(source).map_err(|error| error.to_string())?;
     let mut object = Vec::new();
-    let scheduled = spu_scheduler::schedule(&plain, &source.to_string_lossy(), &text, |text| {
-        let copy = work.path().join("scheduled.s");
-        fs::write(&copy, text)?;
-        object = assemble(&copy)?;
-        Ok::<_, Box<dyn Error + Send + Sync>>(object.clone())
-    });
+    let kind = spu_scheduler::Kind::Kernel;
+    let scheduled =
+        spu_scheduler::schedule(&plain, kind, &source.to_string_lossy(), &text, |text| {
+            let copy = work.path().join("scheduled.s");
+            fs::write(&copy, text)?;
+            object = assemble(&copy)?;
+            Ok::<_, Box<dyn Error + Send + Sync>>(object.clone())
+        });
     let scheduled = scheduled.map_err(|error| match error {
         ScheduleError::At { .. } | ScheduleError::Assembler(_) => error.to_string(),
         ScheduleError::NoFunction => format!(

@@ -64,7 +64,6 @@ build:  brsl    $lr,refit_fetch
         br      done
 
 # Any code may jump here: reports $3, and skips the rest of the frame.
-        .global give_up
 give_up:
         lqa     $sp,first_stack
         ori     $g_unit,$3,0
@@ -73,3 +72,4 @@ give_up:
         ori     $3,$g_unit,0
         br      report
         .size   _start, .-_start
+        .global give_up

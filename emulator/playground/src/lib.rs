@@ -167,13 +167,15 @@ fn schedule(source: &str, mail: &[u32]) -> Reply {
         Err(errors) => return Reply::Errors { errors },
     };
     let mut made = None;
-    let scheduled = spu_scheduler::schedule(&assembled.object, program::FILE, source, |text| {
-        let assembled = Assembled::new(text).map_err(|errors| {
-            let lines = errors.iter().map(|at| format!("{}: {}", at.line, at.message));
-            lines.collect::<Vec<_>>().join("\n")
-        })?;
-        Ok::<_, String>(made.insert(assembled).object.clone())
-    });
+    let kind = spu_scheduler::Kind::Kernel;
+    let scheduled =
+        spu_scheduler::schedule(&assembled.object, kind, program::FILE, source, |text| {
+            let assembled = Assembled::new(text).map_err(|errors| {
+                let lines = errors.iter().map(|at| format!("{}: {}", at.line, at.message));
+                lines.collect::<Vec<_>>().join("\n")
+            })?;
+            Ok::<_, String>(made.insert(assembled).object.clone())
+        });
     let scheduled = match scheduled {
         Ok(scheduled) => scheduled,
         Err(ScheduleError::NoFunction) => {

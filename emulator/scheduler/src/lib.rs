@@ -11,7 +11,7 @@ pub mod code;
 mod schedule;
 
 pub use schedule::{
-    Figures, LoopReport, Outcome, ScheduleError, Scheduled, Unschedulable, schedule,
+    Figures, Kind, LoopReport, Outcome, ScheduleError, Scheduled, Unschedulable, schedule,
 };
 
 /// A hash of the scheduler's sources. Schedules that were made by another scheduler may differ.

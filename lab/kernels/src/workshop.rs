@@ -8,9 +8,9 @@ use protocol::assembler;
 use protocol::formulation::Formulations;
 use spu_build::{Image, Schedules, Tools, each};
 use spu_isa::timing::Rules;
-use spu_scheduler::Scheduled;
 use spu_scheduler::check::{self, CheckError};
 use spu_scheduler::code::{Code, CodeError};
+use spu_scheduler::{Kind, Scheduled};
 use thiserror::Error;
 
 use crate::source::Source;
@@ -103,7 +103,7 @@ impl Workshop {
 
     /// Compares the notes in a kernel's schedule with the model, like `spu time --check`.
     pub fn notes(&self, kernel: &Source) -> Result<check::Outcome, WorkshopError> {
-        let path = self.schedules.file(&self.root.join(kernel.file))?;
+        let path = self.schedules.file(&self.root.join(kernel.file), Kind::Kernel)?;
         let failed = |path: &Path| {
             let path = path.to_path_buf();
             |source| WorkshopError::File { path, source }
@@ -123,7 +123,9 @@ impl Workshop {
         let start = schedules.object(&self.root.join("lab/kernels/image/start.s"))?;
         let path = |kernel: &Source| self.root.join(kernel.file);
         let plain = each(kernels, |kernel| schedules.object(&path(kernel)))?;
-        let scheduled = each(kernels, |kernel| schedules.object(&schedules.file(&path(kernel))?))?;
+        let scheduled = each(kernels, |kernel| {
+            schedules.object(&schedules.file(&path(kernel), Kind::Kernel)?)
+        })?;
         let link = |mut objects: Vec<PathBuf>| {
             objects.insert(0, start.clone());
             let image = Image::new(&self.root.join("linker/spu.ld"));

@@ -5,6 +5,7 @@
 //! gives correct results, because the pipelines wait by themselves. The latencies only make a
 //! schedule fast.
 
+use super::Kind;
 use super::displacement::Movable;
 use super::function::{Node, Reference, Registers};
 use super::memory::Memory;
@@ -89,14 +90,15 @@ impl Graph<'_> {
 
 /// The edges of a block that runs once. With `renaming`, the block may use as many registers of
 /// the pool as it needs, except for the values in `live`, which stay in their registers.
-pub(super) fn straight(nodes: &[Node], live: Registers, renaming: bool) -> Vec<Edge> {
+pub(super) fn straight(nodes: &[Node], live: Registers, renaming: bool, kind: Kind) -> Vec<Edge> {
     let values = Values::of(nodes);
-    let memory = Memory::of(nodes, &values);
+    let memory = Memory::of(nodes, &values, kind);
     let kept = values.kept(nodes, live);
     let mut graph = Graph { nodes, edges: Vec::new() };
     let mut readers: Vec<Vec<(usize, Source)>> = vec![Vec::new(); 256];
     let mut writer: [Option<usize>; 256] = [None; 256];
     let mut barrier = None;
+    let mut hint = None;
     for (at, node) in nodes.iter().enumerate() {
         for &(_, source) in &values.reads[at] {
             if let Source::Node(from) = source {
@@ -133,6 +135,13 @@ pub(super) fn straight(nodes: &[Node], live: Registers, renaming: bool) -> Vec<E
         if let Some(before) = barrier {
             graph.order(before, at, 0);
         }
+        if node.class() == Class::Hb {
+            // A hint replaces the one before it.
+            if let Some(before) = hint {
+                graph.order(before, at, 0);
+            }
+            hint = Some(at);
+        }
         if let Some(Reference::Hint { late: true, .. }) = node.reference {
             for before in 0..at {
                 graph.order(before, at, 0);
@@ -159,7 +168,7 @@ pub(super) fn straight(nodes: &[Node], live: Registers, renaming: bool) -> Vec<E
 /// with [`keeps`](Edge::keeps) ensure this.
 pub(super) fn cyclic(nodes: &[Node], live: Registers, freedom: Freedom) -> Vec<Edge> {
     let values = Values::of(nodes);
-    let memory = Memory::of(nodes, &values);
+    let memory = Memory::of(nodes, &values, Kind::Kernel);
     let mut graph = Graph { nodes, edges: Vec::new() };
     for (at, movable) in Movable::of_loop(nodes, freedom).into_iter().enumerate() {
         if let Some(Movable { increment, ahead, .. }) = movable {

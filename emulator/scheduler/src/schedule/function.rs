@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 
 use super::displacement::Moved;
 
+use super::Kind;
 use spu_isa::{Class, Field, Instruction, Op, Pipe, Target};
 
 /// Identifies a block independently of its position.
@@ -73,6 +74,8 @@ pub(super) struct Node {
     /// The instruction with the source's registers.
     pub plain: Instruction,
     pub reference: Option<Reference>,
+    /// In a hint of the source: the block that begins with the hinted branch.
+    pub hinted: Option<BlockId>,
     /// The line of the source, or 0 if the scheduler added the instruction.
     pub line: u64,
     /// Its address in the plain object, or `None` if the scheduler added it.
@@ -101,6 +104,7 @@ impl Node {
             i,
             plain: i,
             reference,
+            hinted: None,
             line: 0,
             origin: None,
             may_alias: false,
@@ -222,6 +226,7 @@ impl Block {
 #[derive(Clone, Debug)]
 pub(super) struct Function {
     pub name: String,
+    pub kind: Kind,
     pub blocks: Vec<Block>,
     /// Registers whose values the caller reads.
     pub results: Registers,

@@ -4,7 +4,8 @@
 //! directly, because the pipelines wait by themselves. If an odd number of them comes before a
 //! pair, a no-operation fills the gap.
 
-use super::function::Node;
+use super::function::{BlockId, Node};
+use spu_isa::timing::rules::{HINT_MINIMUM_INSTRUCTIONS, MISS_CYCLES};
 use spu_isa::timing::{Pipeline, Rules};
 use spu_isa::{Class, Instruction, Op, Pipe};
 
@@ -19,6 +20,22 @@ pub(super) fn cost(nodes: &[Node], cycles: &[u64]) -> u64 {
         pipeline.issue(address, node.i);
     }
     pipeline.clock()
+}
+
+/// The cycles of a block at the address `start`, without padding, and the first cycle in which all
+/// of its results are ready. A hint that is too near to its branch, with which the block `next`
+/// after it begins, costs as much as a missed branch.
+pub(super) fn cost_in_place(nodes: &[&Node], start: u32, next: Option<BlockId>) -> (u64, u64) {
+    let mut pipeline = Pipeline::new(Rules::default());
+    let (mut ready, mut late) = (0, 0);
+    for ((at, pc), node) in (0..).zip((start..).step_by(4)).zip(nodes) {
+        ready = ready.max(pipeline.issue(pc, node.i).ready_cycle);
+        let between = (nodes.len() - 1 - at) as u64;
+        if node.hinted.is_some() && node.hinted == next && between < HINT_MINIMUM_INSTRUCTIONS {
+            late += MISS_CYCLES;
+        }
+    }
+    (pipeline.clock() + late, ready)
 }
 
 /// The block padded with no-operations to an even number of words.

@@ -4,9 +4,10 @@
 //! urgent one heads the longest chain. Several variations of these priorities are tried, and the
 //! best result is kept.
 
+use super::Kind;
 use super::allocate::allocate;
 use super::dependence::{Edge, straight};
-use super::function::{Node, Registers};
+use super::function::{BlockId, Node, Registers};
 use super::layout;
 use super::random::Random;
 use spu_isa::timing::rules::{DOUBLE_INTERVAL, FLOAT_CONFLICT_DISTANCE};
@@ -14,13 +15,16 @@ use spu_isa::{Class, Pipe};
 
 /// How many orders are tried with renamed registers, and again without.
 const TRIES: u64 = 48;
+/// Added to the height of hints, which are best far from their branches, also from those in other
+/// blocks.
+const HINT_HEIGHT: i64 = 1 << 10;
 
 /// Schedules a block after which `live` are live. Returns the nodes with their new registers, and
 /// their cycles, in the order of the code.
 pub(super) fn schedule(nodes: &[Node], live: Registers) -> (Vec<Node>, Vec<u64>) {
     let mut best: Option<(u64, Vec<Node>, Vec<u64>)> = None;
     for renaming in [true, false] {
-        let edges = straight(nodes, live, renaming);
+        let edges = straight(nodes, live, renaming, Kind::Kernel);
         let heights = heights(nodes, &edges);
         for attempt in 0..TRIES {
             let priorities = priorities(&heights, attempt);
@@ -39,6 +43,34 @@ pub(super) fn schedule(nodes: &[Node], live: Registers) -> (Vec<Node>, Vec<u64>)
     }
     let (_, nodes, cycles) = best.expect("without renaming, every order has enough registers");
     (nodes, cycles)
+}
+
+/// The nodes of a driver's block, which begins at `start`, in the best order that was found. `next`
+/// is the block after it.
+pub(super) fn reorder(nodes: &[Node], start: u32, next: Option<BlockId>) -> Vec<Node> {
+    let edges = straight(nodes, !0, false, Kind::Driver);
+    let mut heights = heights(nodes, &edges);
+    for (height, _) in heights.iter_mut().zip(nodes).filter(|(_, node)| node.hinted.is_some()) {
+        *height += HINT_HEIGHT;
+    }
+    let mut best: Vec<&Node> = nodes.iter().collect();
+    let mut least = layout::cost_in_place(&best, start, next);
+    for attempt in 0..TRIES {
+        let cycles = place(nodes, &edges, &priorities(&heights, attempt));
+        for hints_first in [false, true] {
+            let mut order: Vec<usize> = (0..nodes.len()).collect();
+            order.sort_by_key(|&at| {
+                let later = !hints_first || nodes[at].hinted.is_none();
+                (cycles[at], later, nodes[at].pipe() == Pipe::Odd)
+            });
+            let order: Vec<&Node> = order.into_iter().map(|at| &nodes[at]).collect();
+            let cost = layout::cost_in_place(&order, start, next);
+            if cost < least {
+                (best, least) = (order, cost);
+            }
+        }
+    }
+    best.into_iter().cloned().collect()
 }
 
 /// The cycles from each node's issue to the end of the block.

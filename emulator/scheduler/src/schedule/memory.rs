@@ -1,15 +1,17 @@
 //! Which loads and stores may access the same quadword.
 //!
-//! `docs/spu-programming.md` has the rules. Accesses through different base values do not overlap.
-//! Accesses through the same base value overlap if their offsets do. A store marked `may alias`
-//! overlaps every access.
+//! `docs/spu-programming.md` has the rules. In kernels, accesses through different base values do
+//! not overlap. In drivers, only objects of different names and the stack do not. Accesses through
+//! the same base value overlap if their offsets do. A store marked `may alias` overlaps every access.
 
+use super::Kind;
 use super::function::{Node, Reference};
 use super::values::{Source, Values};
 use spu_isa::{Field, Op};
 
 /// Size of an access in bytes.
 const QUADWORD: i64 = 16;
+const STACK_POINTER: u8 = 1;
 
 /// The value that an address is computed from.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -36,15 +38,23 @@ struct Access {
     anything: bool,
 }
 
+impl Access {
+    /// Whether it stays within one named object or the stack.
+    fn is_object(&self) -> bool {
+        self.index.is_none() && matches!(self.root, Root::Place(_) | Root::Entry(STACK_POINTER))
+    }
+}
+
 /// The loads and stores of a block.
 pub(super) struct Memory {
+    kind: Kind,
     accesses: Vec<Option<Access>>,
     /// For each register that a pass hands to the next: where its value comes from.
     carried: Vec<(u8, Root, i64)>,
 }
 
 impl Memory {
-    pub fn of(nodes: &[Node], values: &Values) -> Self {
+    pub fn of(nodes: &[Node], values: &Values, kind: Kind) -> Self {
         let access = |(at, node)| access(nodes, values, at, node);
         let accesses = nodes.iter().enumerate().map(access).collect();
         let mut carried = Vec::new();
@@ -54,7 +64,7 @@ impl Memory {
                 carried.push((register, root, offset));
             }
         }
-        Self { accesses, carried }
+        Self { kind, accesses, carried }
     }
 
     /// Whether the order of two accesses of one pass matters.
@@ -67,6 +77,9 @@ impl Memory {
         }
         if one.anything || other.anything {
             return true;
+        }
+        if self.kind == Kind::Driver && one.root != other.root {
+            return !(one.is_object() && other.is_object());
         }
         let same_record = |one: &Root, other: &Root| {
             one == other || in_loop && self.carried_root(one).0 == self.carried_root(other).0

@@ -37,6 +37,19 @@ use object::Plain;
 pub use pipelined::{Figures, LoopReport, Outcome};
 use source::Source;
 
+/// What a source promises, and so what its schedule may change.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// Leaf functions: pointers to different records never overlap, no function calls another, and
+    /// what a caller reads is known. The schedule has other registers, pipelined loops, hints and
+    /// padding of its own.
+    Kernel,
+    /// Functions that call others, share registers with them, follow any pointers and have their
+    /// own hints. Only the order within blocks changes, so the code keeps its size. Objects with
+    /// different names, and the stack, are taken not to overlap.
+    Driver,
+}
+
 /// A scheduled source.
 #[derive(Clone, Debug)]
 pub struct Scheduled {
@@ -47,11 +60,12 @@ pub struct Scheduled {
 }
 
 /// Schedules all functions of a source. `object` is the assembler's output for it, made with `-g`
-/// and without `--strip-local-absolute`. `path` names the source in messages and in the line
+/// and without `--strip-local-absolute`. `kind` limits what may change. `path` names the source in messages and in the line
 /// table. `assemble` turns a text into an object in the same way. The object of the schedule is
 /// compared with the plain one, so that a lost instruction or operand is an error.
 pub fn schedule<E: Into<Box<dyn Error + Send + Sync>>>(
     object: &[u8],
+    kind: Kind,
     path: &str,
     source: &str,
     assemble: impl FnOnce(&str) -> Result<Vec<u8>, E>,
@@ -68,17 +82,21 @@ pub fn schedule<E: Into<Box<dyn Error + Send + Sync>>>(
     let source = Source::new(source);
     let functions = source.functions().map_err(at)?;
     let numbers = plain.numbers();
-    let given = source.register_names(&functions, &numbers);
+    let given = match kind {
+        Kind::Kernel => source.register_names(&functions, &numbers),
+        // Its lines are those of the source, which has the names.
+        Kind::Driver => Vec::new(),
+    };
     let mut names = Names::new(given, plain.names());
     let mut loops = Vec::new();
     let mut bodies = Vec::new();
     let mut used = BTreeMap::new();
     let mut written = Vec::new();
     for lines in &functions {
-        let Some(function_code) = plain.function_code(&lines.name, path).map_err(at)? else {
+        let Some(function_code) = plain.function_code(&lines.name, kind, path).map_err(at)? else {
             continue;
         };
-        let mut function = plain.function(&function_code).map_err(at)?;
+        let mut function = plain.function(&function_code, kind).map_err(at)?;
         source.check(lines).map_err(at)?;
         // Without an `Out` line, every register may be a result.
         function.results = source.results(lines).unwrap_or(!0);
@@ -93,11 +111,13 @@ pub fn schedule<E: Into<Box<dyn Error + Send + Sync>>>(
             }
         }
         function.fuse();
-        loops.extend(pipelined::pipeline(&mut function));
-        function.fuse();
-        let (words, body) = words::lay_out(&mut function, &mut names, &source);
+        if kind == Kind::Kernel {
+            loops.extend(pipelined::pipeline(&mut function));
+            function.fuse();
+        }
+        let (words, body) = words::lay_out(&mut function, &mut names, &source, path);
         verify::instructions(&function_code, &function, &words).map_err(at)?;
-        if let Some(line) = source.uses(lines) {
+        if let Some(line) = source.uses(lines).filter(|_| kind == Kind::Kernel) {
             *used.entry(line).or_insert(0) |= words::written(&words);
         }
         let inside = (lines.first as u64 + 1, lines.end as u64 + 1);
@@ -113,13 +133,16 @@ pub fn schedule<E: Into<Box<dyn Error + Send + Sync>>>(
         source.copy(copied..lines.first + 1, path, &used, &mut text);
         text.push_str(&text::names(&made));
         text.push_str(&body);
+        if kind == Kind::Driver {
+            text.push_str(&text::line(lines.end as u64 + 1, path));
+        }
         copied = lines.end;
     }
     source.copy(copied..source.lines.len(), path, &used, &mut text);
     let made = assemble(&text).map_err(|error| ScheduleError::Assembler(error.into()))?;
     let made = Plain::parse(&made)?;
     for (lines, words) in written {
-        let function_code = made.function_code(&lines.name, path).map_err(at)?;
+        let function_code = made.function_code(&lines.name, kind, path).map_err(at)?;
         verify::text(lines, &words, function_code.as_ref(), &made).map_err(at)?;
     }
     Ok(Scheduled { text, loops })

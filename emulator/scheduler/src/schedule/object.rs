@@ -10,6 +10,7 @@ use object::{
     SectionIndex, SymbolKind, SymbolSection,
 };
 
+use super::Kind;
 use super::error::{ScheduleError, Unschedulable};
 use super::function::{Block, Function, Node, Reference, Symbol};
 use crate::code::{Code, CodeError};
@@ -96,7 +97,12 @@ impl<'data> Plain<'data> {
     }
 
     /// The code of the function with this name, or `None` if there is none.
-    pub fn function_code(&self, name: &str, source: &str) -> Result<Option<FunctionCode>, Fault> {
+    pub fn function_code(
+        &self,
+        name: &str,
+        kind: Kind,
+        source: &str,
+    ) -> Result<Option<FunctionCode>, Fault> {
         let found = self.code.functions().iter().find(|found| found.name == name);
         let symbol = self.file.symbols().find(|symbol| symbol.name() == Ok(name));
         let (Some(found), Some(symbol)) = (found, symbol) else {
@@ -120,6 +126,7 @@ impl<'data> Plain<'data> {
             section,
             base: start.wrapping_sub(within),
             range: start..found.end,
+            kind,
         };
         let relocations = view.relocations();
         let mut placed = Vec::new();
@@ -133,7 +140,7 @@ impl<'data> Plain<'data> {
     }
 
     /// The code of a function as blocks.
-    pub fn function(&self, function_code: &FunctionCode) -> Result<Function, Fault> {
+    pub fn function(&self, function_code: &FunctionCode, kind: Kind) -> Result<Function, Fault> {
         let FunctionCode { name, start, end, placed } = function_code;
         if start % 8 != 0 {
             let line = placed.first().map_or(0, |first| first.line);
@@ -143,8 +150,16 @@ impl<'data> Plain<'data> {
         let mut starts = BTreeSet::from([*start]);
         for Placed { address, word, i, reference, line } in placed {
             let fault = |what| (*line, what);
-            if i.op.row().class == Class::Hb {
+            let is_hint = i.op.row().class == Class::Hb;
+            if is_hint && kind == Kind::Kernel {
                 return Err(fault(Unschedulable::Hint));
+            }
+            let hinted = is_hint.then(|| address.wrapping_add_signed(i.branch_distance.into()));
+            if let Some(branch) = hinted {
+                if !(*start..*end).contains(&branch) || self.code.label(branch).is_none() {
+                    return Err(fault(Unschedulable::Address(branch)));
+                }
+                starts.insert(branch);
             }
             if let Some(Reference::Block(target)) = reference {
                 starts.insert(*target as u32);
@@ -153,6 +168,7 @@ impl<'data> Plain<'data> {
                 i: *i,
                 plain: *i,
                 reference: reference.clone(),
+                hinted: hinted.map(|branch| branch as usize),
                 line: *line,
                 origin: Some(*address),
                 may_alias: false,
@@ -169,7 +185,8 @@ impl<'data> Plain<'data> {
             if self.code.label(*address).is_some() {
                 starts.insert(*address);
             }
-            if is_no_operation(*i) {
+            // In drivers, they keep hints away from branches.
+            if is_no_operation(*i) && kind == Kind::Kernel {
                 continue;
             }
             if !has_notation(*i, *word) {
@@ -180,6 +197,7 @@ impl<'data> Plain<'data> {
         starts.remove(end);
         Ok(Function {
             name: name.clone(),
+            kind,
             blocks: self.blocks(*start, &starts, nodes),
             results: 0,
             copies: BTreeMap::new(),
@@ -228,6 +246,7 @@ struct View<'a, 'data> {
     /// The section's address in [`Code`].
     base: u32,
     range: std::ops::Range<u32>,
+    kind: Kind,
 }
 
 /// A relocation: its type and its target.
@@ -293,7 +312,10 @@ impl View<'_, '_> {
             if self.range.contains(&target) {
                 let row = i.op.row();
                 let branches = row.class == Class::Br && row.target != Target::Rt;
-                let named = branches || row.class == Class::Hb;
+                // Drivers call parts of themselves, and take addresses to jump to.
+                let driver = row.class == Class::Br || i.op == Op::Ila;
+                let named =
+                    branches || row.class == Class::Hb || self.kind == Kind::Driver && driver;
                 if !named || !target.is_multiple_of(4) {
                     return Err(Unschedulable::Address(target));
                 }

@@ -53,12 +53,20 @@ pub(super) fn names(made: &[(String, u8)]) -> String {
     text
 }
 
+/// A line after which the assembler counts lines from this one of another file.
+pub(super) fn line(number: u64, path: &str) -> String {
+    format!("# {number} \"{path}\"\n")
+}
+
+/// The words' lines. With `plain_path` they have no notes, and the assembler's line table names the
+/// lines of the plain source.
 pub(super) fn write(
     words: &[Word],
     labels: &BTreeMap<BlockId, String>,
     branches: &BTreeMap<BlockId, String>,
     names: &mut Names<'_>,
     source: &Source<'_>,
+    plain_path: Option<&str>,
 ) -> String {
     let mut text = String::new();
     for word in words {
@@ -66,12 +74,19 @@ pub(super) fn write(
             // Writing to a string can't fail.
             let _ = writeln!(text, "{label}:");
         }
+        if let Some(path) = plain_path {
+            text.push_str(&self::line(word.node.line, path));
+        }
         let indent = if word.node.stage > 0 { INDENT } else { 0 };
         let mut line = format!("{:1$}", "", MNEMONIC + indent);
         let operands = operands(&word.node, labels, branches, names);
         let mnemonic = word.node.i.mnemonic();
         let _ = write!(line, "{mnemonic:<MNEMONIC_WIDTH$} {operands}");
         let line = line.trim_end();
+        if plain_path.is_some() {
+            let _ = writeln!(text, "{line}");
+            continue;
+        }
         let own = match source.comment(word.node.line) {
             "" => word.node.reason,
             comment => comment,
@@ -126,10 +141,11 @@ fn operands(
             let base = register(Field::Ra);
             format!("{}({base})", constant(i.immediate))
         }
-        Operand::HintedBranch => match &node.reference {
-            Some(Reference::Hint { branch, .. }) => {
+        Operand::HintedBranch => match (&node.reference, &node.hinted) {
+            (Some(Reference::Hint { branch, .. }), _) => {
                 branches.get(branch).cloned().unwrap_or_default()
             }
+            (_, Some(branch)) => label(branch),
             _ => String::new(),
         },
         _ => constant(i.immediate),

@@ -77,6 +77,7 @@ fn is_alike(plain: &Placed, node: &Node) -> bool {
         if moved || matches!(reference, Some(Reference::Block(_))) {
             i.immediate = 0;
         }
+        i.branch_distance = 0;
         i.encode()
     };
     let same_target = match (&plain.reference, &node.reference) {
@@ -127,7 +128,7 @@ fn is_meant(
     let same_target = match &node.reference {
         None | Some(Reference::Hint { target: None, .. }) => found.reference.is_none(),
         Some(Reference::Block(_) | Reference::Hint { .. }) => {
-            let from = if node.i.op == Op::Bra { 0 } else { *address };
+            let from = if matches!(node.i.op, Op::Bra | Op::Ila) { 0 } else { *address };
             let target = start.wrapping_add(from).wrapping_add_signed(node.i.immediate);
             meant.immediate = found.i.immediate;
             found.reference == Some(Reference::Block(target as usize))
@@ -147,6 +148,7 @@ fn is_meant(
 mod tests {
     use super::*;
     use crate::check::Slot;
+    use crate::schedule::Kind;
     use spu_isa::Pipe;
 
     const WORDS: [u32; 4] = [
@@ -168,7 +170,13 @@ mod tests {
     }
 
     fn function() -> Function {
-        Function { name: "f".into(), blocks: Vec::new(), results: 0, copies: BTreeMap::new() }
+        Function {
+            name: "f".into(),
+            kind: Kind::Kernel,
+            blocks: Vec::new(),
+            results: 0,
+            copies: BTreeMap::new(),
+        }
     }
 
     fn word(node: Node) -> Word {

@@ -8,7 +8,7 @@ use super::layout::{fill, plain};
 use super::names::Names;
 use super::source::Source;
 use super::text::{self, Word};
-use super::{list, pipelined};
+use super::{Kind, list, pipelined};
 use crate::check;
 use spu_isa::timing::rules::HINT_MINIMUM_INSTRUCTIONS;
 use spu_isa::timing::{Rules, find_loops};
@@ -25,9 +25,12 @@ pub(super) fn lay_out(
     function: &mut Function,
     names: &mut Names<'_>,
     source: &Source<'_>,
+    path: &str,
 ) -> (Vec<Word>, String) {
-    hint_returns(function);
-    hint_loops(function);
+    if function.kind == Kind::Kernel {
+        hint_returns(function);
+        hint_loops(function);
+    }
     let mut blocks = scheduled(function);
     while let Some((block, hint)) = useless_hint(function, &blocks) {
         function.blocks[block].nodes.remove(hint);
@@ -59,7 +62,8 @@ pub(super) fn lay_out(
         labels.insert(block.id, label);
     }
     let words = words(function, blocks, &labels, &branches);
-    let text = text::write(&words, &labels, &branches, names, source);
+    let plain_path = (function.kind == Kind::Driver).then_some(path);
+    let text = text::write(&words, &labels, &branches, names, source, plain_path);
     (words, text)
 }
 
@@ -70,6 +74,17 @@ pub(super) fn written(words: &[Word]) -> Registers {
 }
 
 fn scheduled(function: &Function) -> Vec<Vec<Node>> {
+    if function.kind == Kind::Driver {
+        let mut address = 0;
+        let blocks = &function.blocks;
+        let next = blocks.iter().skip(1).map(|block| Some(block.id)).chain([None]);
+        let words = |(block, next): (&Block, Option<BlockId>)| {
+            let nodes = list::reorder(&block.nodes, address, next);
+            address += 4 * nodes.len() as u32;
+            nodes
+        };
+        return blocks.iter().zip(next).map(words).collect();
+    }
     let liveness = function.liveness();
     let words = |(at, block): (usize, &Block)| match &block.cycles {
         Some(cycles) => fill(&block.nodes, cycles),
@@ -178,10 +193,13 @@ fn words(
     let mut nodes: Vec<Node> = blocks.into_iter().flatten().collect();
     for (address, node) in (0u32..).step_by(4).zip(&mut nodes) {
         let distance = |to: u32| to.wrapping_sub(address) as i32;
+        if let Some(branch) = node.hinted {
+            node.i.branch_distance = distance(starts[&branch]) as i16;
+        }
         match &node.reference {
             Some(Reference::Block(id)) => {
                 node.i.immediate = match node.i.op {
-                    Op::Bra => starts[id] as i32,
+                    Op::Bra | Op::Ila => starts[id] as i32,
                     _ => distance(starts[id]),
                 };
             }

@@ -36,9 +36,9 @@ prepare_call:
         lqa     $4,arrived
         brnz    $3,bad_block
         leave
-        .global bad_block
 bad_block:
         shli    $3,$4,8
         ori     $3,$3,STATUS_MeshBlock
         br      give_up
 endfunction mesh_arrive
+        .global bad_block

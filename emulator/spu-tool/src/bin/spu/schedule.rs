@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 use spu_build::Tools;
-use spu_scheduler::{Figures, Outcome, ScheduleError};
+use spu_scheduler::{Figures, Kind, Outcome, ScheduleError};
 
 use crate::failure::Failure;
 use crate::image::read_file;
@@ -48,6 +48,12 @@ pub struct Arguments {
     /// File for the schedule; the default is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    /// Only reorder the instructions of each block
+    ///
+    /// For functions that call others and have their own hints. The code keeps its size and its
+    /// registers. Pointers may overlap, but for objects of different names and the stack.
+    #[arg(long)]
+    driver: bool,
     /// Print the figures of each pipelined loop to standard error
     #[arg(short, long)]
     verbose: bool,
@@ -58,8 +64,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let object = read_file(&arguments.object)?;
     let text = read_file(&arguments.source)?;
     let path = arguments.source.to_string_lossy();
+    let kind = if arguments.driver { Kind::Driver } else { Kind::Kernel };
     let scheduled =
-        spu_scheduler::schedule(&object, &path, &String::from_utf8_lossy(&text), |text| {
+        spu_scheduler::schedule(&object, kind, &path, &String::from_utf8_lossy(&text), |text| {
             assemble(arguments, text)
         });
     let scheduled = scheduled.map_err(|source| match source {

@@ -36,6 +36,21 @@ fn faults_of_the_code_name_file_and_line() {
 }
 
 #[test]
+fn hints_of_drivers_need_a_branch_with_a_label() {
+    for (body, status, expected) in [
+        ("        hbrr there,f\nthere:  brz $3,f\n", 0, ""),
+        ("        hbrp\n", 127, "plain.s:4: it refers to 0x4"),
+    ] {
+        let shop = Workshop::new(&format!("{START}{body}{END}"));
+        shop.assemble("plain.s", "plain.o");
+        let output = shop.spu_schedule(&["--driver", "plain.o", "plain.s"]);
+        let messages = stderr(&output);
+        assert_eq!(output.status.code(), Some(status), "{messages}");
+        assert!(messages.contains(expected), "{body}: {messages}");
+    }
+}
+
+#[test]
 fn unpipelined_loops_are_named_with_reason() {
     for (body, reason) in [
         (

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use std::fs;
 
 use spu_isa::{Class, Format, Instruction, Op, Operand, feature};
-use spu_scheduler::ScheduleError;
 use spu_scheduler::code::Code;
+use spu_scheduler::{Kind, ScheduleError};
 
 use super::support::{Workshop, stderr};
 
@@ -225,7 +225,7 @@ fn schedule_changed(change: impl Fn(&str) -> String) -> Result<(), ScheduleError
     shop.assemble("plain.s", "plain.o");
     let object = fs::read(shop.path("plain.o")).unwrap();
     let source = fs::read_to_string(shop.path("plain.s")).unwrap();
-    let scheduled = spu_scheduler::schedule(&object, "plain.s", &source, |text| {
+    let scheduled = spu_scheduler::schedule(&object, Kind::Kernel, "plain.s", &source, |text| {
         fs::write(shop.path("scheduled.s"), change(text))?;
         shop.assemble("scheduled.s", "scheduled.o");
         fs::read(shop.path("scheduled.o"))
@@ -278,7 +278,8 @@ fn assembler_messages_are_reported() {
     let shop = Workshop::new(&format!("{START}{BODY}"));
     shop.assemble("plain.s", "plain.o");
     let object = fs::read(shop.path("plain.o")).unwrap();
-    let refused = spu_scheduler::schedule(&object, "plain.s", BODY, |_| Err("not today"));
+    let refused =
+        spu_scheduler::schedule(&object, Kind::Kernel, "plain.s", BODY, |_| Err("not today"));
     let message = refused.map(|_| ()).unwrap_err().to_string();
     assert_eq!(message, "the schedule does not assemble: not today");
     // Without the folder of the included files.

@@ -1,4 +1,4 @@
-//! Random programs: straight-line code and loops, plain against scheduled.
+//! Random programs: straight-line code, drivers and loops, plain against scheduled.
 //!
 //! Provenance: `model`. The interpreter defines what the plain source does.
 
@@ -17,6 +17,7 @@ const POINTERS: [(&str, u8, u32); 5] = [
     ("list", 7, DATA + 0xd000),
 ];
 const RECORDS: u32 = DATA + 0x1_1000;
+const STACK: u32 = DATA + 0x1_f000;
 /// The values in $10 and up that operations read and write. They are set before the function.
 const VALUES: u8 = 12;
 const FIRST_VALUE: u8 = 10;
@@ -222,6 +223,32 @@ fn stream(random: &mut Random, source: &mut String, name: &str) -> Vec<u8> {
     live
 }
 
+/// A function that calls `leaf`, with pointers that overlap, the stack, objects with names, and hints.
+fn driver(random: &mut Random, source: &mut String, name: &str) {
+    let shape = Shape { in_loop: false, aliases: true, records: false, doubles: false };
+    let _ = writeln!(source, "\nfunction {name}\n        stqd $lr,16($sp)\n        ai $sp,$sp,-64");
+    for part in 0..=random.below(3) {
+        let (call, skipped) = (format!("{name}_call_{part}"), format!("{name}_skip_{part}"));
+        let mut body: Vec<String> = (0..random.below(40))
+            .map(|_| match random.below(8) {
+                0 => format!("lqd {},{}($sp)", value(random), 16 * random.below(4)),
+                1 => format!("stqd {},{}($sp)", value(random), 16 * random.below(4)),
+                2 => format!("lqa {},object_{}", value(random), random.below(2)),
+                3 => format!("stqa {},object_{}", value(random), random.below(2)),
+                4 => "nop $2".to_owned(),
+                _ => operation(random, &shape).replace(" # may alias", ""),
+            })
+            .collect();
+        let hint = random.below(1 + body.len() as u64) as usize;
+        body.insert(hint, format!("hbrr {call},leaf"));
+        lines(source, &body);
+        let _ = writeln!(source, "        brz {},{skipped}", value(random));
+        let _ = writeln!(source, "{call}: brsl $lr,leaf\n{skipped}:");
+    }
+    let end = "hbr {name}_end,$lr\n        ai $sp,$sp,64\n{name}_end: bi $lr\nendfunction {name}\n";
+    let _ = write!(source, "        lqd $lr,80($sp)\n        {}", end.replace("{name}", name));
+}
+
 fn word(random: &mut Random) -> u32 {
     match random.below(6) {
         0 => 0,
@@ -274,6 +301,34 @@ fn random_straight_code_does_the_same() {
                 let what = format!("{name} of round {round}");
                 let (one, other) = (plain.call(name, &input), scheduled.call(name, &input));
                 compare(&one, &other, live, &what);
+            }
+        }
+    }
+}
+
+#[test]
+fn random_drivers_do_the_same() {
+    let mut random = Random::new("drivers");
+    for round in 0..3 {
+        let mut source = start();
+        source += "        .data\n        .align 4\nobject_0: .skip 16\nobject_1: .skip 16\n";
+        source += "\nfunction leaf\n        a $v,$v+1,$v+2\n        ai $sp,$sp,-16\n";
+        source +=
+            "        stqd $v,0($sp)\n        ai $sp,$sp,16\n        bi $lr\nendfunction leaf\n";
+        let names: Vec<String> = (0..FUNCTIONS).map(|at| format!("f{at}")).collect();
+        names.iter().for_each(|name| driver(&mut random, &mut source, name));
+        let shop = Workshop::new(&source);
+        let lines = shop.schedule_driver();
+        assert!(lines.windows(2).any(|pair| pair[0] > pair[1]), "nothing has moved");
+        let plain = shop.link("plain.s", &names);
+        let scheduled = shop.link("scheduled.s", &names);
+        let live: Vec<u8> = (0..80).collect();
+        for name in &names {
+            for _ in 0..3 {
+                let mut input = input(&mut random, 1);
+                input.registers.push((1, [STACK; 4]));
+                let what = format!("{name} of round {round}");
+                compare(&plain.call(name, &input), &scheduled.call(name, &input), &live, &what);
             }
         }
     }

@@ -10,6 +10,7 @@ use spu_emulator::elf::Image;
 use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::local_store::{LocalStore, SIZE};
 use spu_emulator::stop::Stop;
+use spu_scheduler::code::Code;
 
 /// Code and constants are below this address, and the data of the tests is above it.
 pub const DATA: u32 = 0x2_0000;
@@ -70,6 +71,21 @@ impl Workshop {
             stderr(&check)
         );
         messages
+    }
+
+    /// Schedules the source as a driver. Returns the lines of the plain source in the order of the
+    /// code. They are those in the line table, and the code has its size.
+    pub fn schedule_driver(&self) -> Vec<u64> {
+        self.assemble("plain.s", "plain.o");
+        let output = self.spu_schedule(&["--driver", "plain.o", "plain.s", "-o", "scheduled.s"]);
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        self.assemble("scheduled.s", "scheduled.o");
+        let code = |object| Code::parse(&fs::read(self.path(object)).unwrap()).unwrap();
+        let (plain, scheduled) = (code("plain.o"), code("scheduled.o"));
+        assert_eq!(plain.words(0, SIZE).len(), scheduled.words(0, SIZE).len());
+        let lines = scheduled.sources();
+        assert!(lines.iter().all(|(_, at)| at.file.ends_with("plain.s")));
+        lines.iter().map(|(_, at)| at.line).collect()
     }
 
     /// Links a program from one source and a caller of `functions`.
