@@ -200,6 +200,7 @@ endfunction flags_gather
         .set    turned,11
         .set    c_same,12
         .set    offset,20
+        .set    way,21
 
 function surfaces_make
         hbrr    same_call,same_objects_r16
@@ -276,28 +277,35 @@ function batch_shade
         enter
         ori     $w_left,$w_count,0
 next_packet:
+        lqa     $way,surface_way
         ai      $w_left,$w_left,-1
         packet_and_surfaces
+        hbr     way_call,$way
         ilhu    $wanted,SIDES_SMOOTH>>16
         and     $wanted,$wanted,$flags
-        brz     $wanted,flat
-        brsl    $lr,smooth_r16
-        packet_and_surfaces
+        brnz    $wanted,smooth
 flat:   andi    $wanted,$flags,MATERIAL_SHADED|MATERIAL_TEXTURED
         brz     $wanted,as_it_is
         andi    $wanted,$flags,MATERIAL_TEXTURED
-        lqa     $offset,surface_way
         brz     $wanted,plain
-        brz     $offset,plain
-        bisl    $lr,$offset
+        brz     $way,plain
+way_call:
+        bisl    $lr,$way
 plain:  andi    $wanted,$flags,MATERIAL_SHADED
-        brz     $wanted,as_it_is
-        ori     $offset,$3,0
+        brnz    $wanted,shader
+as_it_is:
+        brnz    $w_left,next_packet
+        leave
+
+smooth: brsl    $lr,smooth_r16
+        packet_and_surfaces
+        lqa     $way,surface_way
+        br      flat
+
+shader: ori     $offset,$3,0
         ori     $3,$4,0
         ori     $4,$offset,0
         brsl    $lr,shaders_run
         brnz    $3,give_up
-as_it_is:
-        brnz    $w_left,next_packet
-        leave
+        br      as_it_is
 endfunction batch_shade

@@ -111,7 +111,6 @@ sites_listed:
         ila     $w_light,frame
         load_word $w_light,FRAME_lights,$w_light
 next_light:
-        hbrr    rays_call,shadow_rays_r16
         ila     $lights,frame
         lqd     $bright,LIGHT_brightness($w_light)
         load_word $weight,FRAME_least_weight,$lights
@@ -126,16 +125,19 @@ next_light:
         or      $bright,$bright,$green
         ceq     $end,$end,$w_light
         or      $bright,$bright,$blue
-        ceqi    $weight,$weight,0
         frest   $inverse,$bright
         ilhu    $k_least,0x3980
         ori     $4,$w_sites,0
         fi      $inverse,$bright,$inverse
         brnz    $end,lit
         load_word $5,LIGHT_falloff,$w_light
+        ila     $lr,in_reach
+        ila     $3,dark
         cgti    $5,$5,0
-        brnz    $5,has_range
+        brnz    $5,light_reaches
 in_reach:
+        hbrr    rays_call,shadow_rays_r16
+        ceqi    $weight,$weight,0
         ori     $5,$w_light,0
         ila     $6,SCENE_ADDRESS
         lqa     $8,shadow_rays_at
@@ -251,11 +253,6 @@ lambert_call:
         brsl    $lr,lambert_r16
 dark:   ai      $w_light,$w_light,LIGHT_SIZE
         br      next_light
-has_range:
-        brsl    $lr,light_reaches
-        hbrr    rays_call,shadow_rays_r16
-        brz     $3,dark
-        br      in_reach
         # Rays that need not be traced are taken out meanwhile.
 take:   brsl    $lr,colour_take
         ori     $w_here,$3,0

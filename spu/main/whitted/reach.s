@@ -93,20 +93,16 @@ last_row:
         bi      $lr
 endfunction batch_box
 
-# light_reaches   whether a light with a range may reach the batch
-#   In      w_light, w_sites
-#   Out     $3 0 if it reaches no point of the batch
-#   Uses    $3, $20-$51
+# light_reaches   returns if a light with a range may reach the batch
+#   In      w_light, w_sites, $3 where to go if it reaches no point of the batch
+#   Uses    $20-$51
 #
 # The distance from the light to the box is compared with 1.008 times the range, which is more than
 # all roundings: shadow_rays_r16 decides for each point.
 function light_reaches
         lqa     $t_value,reach_known
-        brnz    $t_value,known
-        enter
-        brsl    $lr,batch_box
-        ai      $sp,$sp,32
-        lqd     $lr,16($sp)
+        hbr     reaches_end,$lr
+        brz     $t_value,unknown
 known:  lqd     $place,LIGHT_position($w_light)
         lqa     $low_x,box_low
         lqa     $high_x,box_high
@@ -124,6 +120,15 @@ known:  lqd     $place,LIGHT_position($w_light)
         fa      $part,$part,$above
         ilhu    $c_value,0x3f82                         # 1.016, the square
         fm      $part,$part,$falloff
-        fcgt    $3,$c_value,$part
+        fcgt    $c_value,$c_value,$part
+        biz     $c_value,$3
+reaches_end:
         bi      $lr
+
+unknown:
+        enter
+        brsl    $lr,batch_box
+        ai      $sp,$sp,32
+        lqd     $lr,16($sp)
+        br      known
 endfunction light_reaches

@@ -185,7 +185,8 @@ missing:
         brsl    $lr,mesh_fetch
         br      found_it
 
-wait:   andc    $bits,$bits,$bit
+wait:   hbrr    wait_call,dma_wait
+        andc    $bits,$bits,$bit
         stqa    $bits,arriving
         stqa    $address,a_wanted
         stqa    $g_dma_wait,waited
@@ -194,13 +195,16 @@ wait:   andc    $bits,$bits,$bit
         il      $3,1
         ai      $tag,$tag,TAG_MESH
         shl     $3,$3,$tag
+wait_call:
         brsl    $lr,dma_wait
+        hbrr    arrive_call,mesh_arrive
         phase_begins
         lqa     $size,waited
         sf      $size,$size,$g_dma_wait
         tally   ticks_block_wait,$size
         lqa     $3,a_wanted
         lqa     $4,wanted
+arrive_call:
         brsl    $lr,mesh_arrive
         lqa     $3,a_wanted
         leave

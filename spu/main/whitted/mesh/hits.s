@@ -122,14 +122,15 @@ patches_call:
         ori     $h_end,$3,0
         il      $number,-1                              # no block's
 next_hit:
+        hbrr    same_block,made_of_block
         ceq     $c_end,$h_list,$h_end
         brnz    $c_end,all_made
-        hbrr    same_block,made_of_block
         lqd     $all_hit,0($h_list)
         rotqbyi $h_patch,$all_hit,4
         ai      $h_list,$h_list,MESH_HITS_SIZE
         shli    $3,$all_hit,1
         rotmi   $3,$3,-8
+        nop     $2                                      # a hint must be eight instructions ahead
         ceq     $is_same,$number,$3
 same_block:
         brnz    $is_same,made_of_block
@@ -276,6 +277,7 @@ made_of_block:
         stqd    $part,PATCH_normal_\vertex($h_patch)
     .set    lane_at,lane_at+32
     .endr
+        hbrr    plain,next_hit
         # The record of a plane through a.
         selb    $normal,$k_one,$normal,$m_xyz           # 1 is the slope
         stqd    $normal,OBJECT_axis($h_patch)

@@ -178,6 +178,7 @@ next_block:
         brnz    $c_end,traced
         ai      $m_top,$m_top,-CANDIDATE_SIZE
         lqd     $entry,0($m_top)
+        hbrr    block_call,mesh_block
         # Packets whose rays all hit something nearer are left out.
         lqa     $last,farthest
         lqa     $last+1,farthest+16
@@ -193,7 +194,6 @@ next_block:
         rotqbyi $mask,$entry,ENTRY_packets
         andc    $mask,$mask,$beyond
         brz     $mask,next_block
-        hbrr    block_call,mesh_block
         stqa    $mask,packets
         lqa     $left,visits_left
         ori     $3,$entry,0
@@ -247,9 +247,9 @@ first_node:
         lqd     $levels,MESH_HEADER_levels&~15($m_block)
         rotqbyi $m_levels,$levels,MESH_HEADER_levels&15
         tally   cull_tests,$4
-next_level:
         ai      $m_levels,$m_levels,-1
         brz     $m_levels,lowest
+next_level:
         # From the nodes of one level to those of the next.
         hbrr    level_call,cull_boxes
         ila     $5,arena+MESH_SECOND
@@ -275,8 +275,8 @@ level_call:
         brnz    $mask,not_enough
 level_met:
         tally   cull_tests,$4
-        br      next_level
-
+        ai      $m_levels,$m_levels,-1
+        brnz    $m_levels,next_level
 lowest: hbrr    lowest_call,cull_boxes
         ila     $5,arena+MESH_LIST
         lqd     $header,MESH_HEADER_kind&~15($m_block)
