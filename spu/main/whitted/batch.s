@@ -13,6 +13,9 @@ batch_rays:                             # how many rays it has
         .global batch_flags
 batch_flags:                            # the flags of all surfaces, combined
         .skip   16
+        .global met_round
+met_round:                              # not 0 if its rays were tested with spheres or cones of the
+        .skip   16                      # mesh
 fog_mask:                               # the lanes of a packet that have hit something
         .skip   64
 
@@ -38,6 +41,8 @@ function batch_trace
         # How many rays came before the batch's first: 0, 1, or 2 for more.
         lqa     $3,rays_at
         ila     $amount,generations
+        il      $5,0
+        stqa    $5,met_round
         lqa     $6,batch_rays
         ori     $4,$w_count,0
         lqd     $later,RAYS16_pixel($3)
@@ -248,11 +253,9 @@ sent:   sum_lanes $3,$amount
         lqa     $turned,streamed
         andi    $turned,$turned,FEATURE_MESH
         brz     $turned,refined
-        # Where cuts find the ground, main memory holds nothing round.
-        lqa     $turned,cuts
+        lqa     $turned,met_round
         lqa     $c_same,frame+FRAME_trees+BVH_SIZE*BVH_SPHERES
         lqa     $offset,frame+FRAME_trees+BVH_SIZE*BVH_CONES
-        ceqi    $turned,$turned,0
         or      $c_same,$c_same,$offset
         rotqbyi $c_same,$c_same,BVH_objects
         or      $turned,$turned,$c_same

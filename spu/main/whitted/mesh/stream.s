@@ -222,6 +222,7 @@ listed:
         brz     $c_more,triangles
         tally   tests_made,$4
         tally   tests_possible,$4
+        stqa    $header,met_round
         ceqi    $c_more,$header,MESH_CONES
         brnz    $c_more,cones
         brsl    $lr,isect_seen_spheres

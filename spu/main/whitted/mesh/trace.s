@@ -458,6 +458,7 @@ not_enough:
 object_leaf:
         tally   tests_made,$4
         tally   tests_possible,$4
+        stqa    $header,met_round
         ceqi    $c_end,$header,MESH_CONES
         brnz    $c_end,cones
         brsl    $lr,isect_seen_spheres
