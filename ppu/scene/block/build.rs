@@ -22,7 +22,7 @@ use super::streamed::{InMainMemory, Streamed, may_stay};
 use super::{SceneBlock, Surface, alike};
 use crate::scene::mesh::{MeshError, NumberWidth, Numbers};
 use crate::scene::render_options::{NodeVolumes, RenderOptions};
-use protocol::layout::{self, BOX_CODE_CAPACITY, MAX_DEPTH, SCENE_ADDRESS};
+use protocol::layout::{self, BOX_CODE_CAPACITY, MAX_DEPTH, SCENE_ADDRESS, SMALL_BATCH};
 
 /// Amounts of spare capacity to try, as divisors of the number of objects: as many again, half as
 /// many, a quarter, an eighth.
@@ -185,7 +185,8 @@ impl<'a> Builder<'a> {
     }
 
     /// A block whose mesh is in main memory, and so are its objects of these kinds. If local store
-    /// lacks space for the materials, these are in main memory, too.
+    /// lacks space for the materials, or for whole batches beside them, these are in main memory,
+    /// too: fetching a few for each batch takes less time than smaller batches do.
     pub fn in_main_memory(&self, kinds: InMainMemory) -> Result<SceneBlock, BlockError> {
         let streamed = |minimum| {
             let numbers = Numbers { firsts: &self.firsts, minimum };
@@ -194,14 +195,19 @@ impl<'a> Builder<'a> {
         let lay_out = |streamed| self.lay_out(Spare::default(), [Volumes::Spheres; 4], streamed);
         let narrow = streamed(NumberWidth::Byte)?;
         let materials = narrow.as_ref().map_or(0, Streamed::resident_materials);
-        match lay_out(narrow) {
-            Err(BlockError::TooLarge { needed, capacity, .. })
-                if needed - capacity <= materials * size_of::<layout::Material>() =>
-            {
-                lay_out(streamed(NumberWidth::TwoBytes)?)
+        let materials = materials * size_of::<layout::Material>();
+        let outcome = lay_out(narrow);
+        let move_out = match &outcome {
+            // What is sorted has no other numbers of materials.
+            Ok(block) if block.streamed.as_ref().is_some_and(|it| it.sorted.is_none()) => {
+                let deepest = self.options.ray_depth;
+                let batch = block.small_batch_at(deepest);
+                batch < Some(SMALL_BATCH) && block.small_batch_without(materials, deepest) > batch
             }
-            outcome => outcome,
-        }
+            Err(BlockError::TooLarge { needed, capacity, .. }) => needed - capacity <= materials,
+            _ => false,
+        };
+        if move_out { lay_out(streamed(NumberWidth::TwoBytes)?) } else { outcome }
     }
 
     /// The block with this spare capacity and these volumes in the trees' nodes; with `streamed`,

@@ -210,7 +210,12 @@ impl SceneBlock {
 
     /// The number of packets in a batch that fits with chains of `ray_depth` rays.
     fn batch_at(&self, ray_depth: u32) -> Option<u32> {
-        let fits = |batch: &u32| self.bytes().len() <= self.capacity(*batch, ray_depth);
+        self.batch_without(0, ray_depth)
+    }
+
+    /// The same, if the block had fewer bytes.
+    fn batch_without(&self, bytes: usize, ray_depth: u32) -> Option<u32> {
+        let fits = |batch: &u32| self.bytes().len() - bytes <= self.capacity(*batch, ray_depth);
         let counts = self.primitives.iter().map(Primitives::count);
         let may_be_large = self.streamed.is_none() && counts.max() <= Some(LARGE_OBJECTS as usize);
         // Batches between these gained nothing in the scenes that have no space for the largest.
@@ -220,7 +225,12 @@ impl SceneBlock {
 
     /// The same, of which only the size of a small batch counts.
     fn small_batch_at(&self, ray_depth: u32) -> Option<u32> {
-        let batch = self.batch_at(ray_depth)?;
+        self.small_batch_without(0, ray_depth)
+    }
+
+    /// The same, if the block had fewer bytes.
+    fn small_batch_without(&self, bytes: usize, ray_depth: u32) -> Option<u32> {
+        let batch = self.batch_without(bytes, ray_depth)?;
         Some(batch.min(SMALL_BATCH))
     }
 

@@ -92,7 +92,7 @@ pub(super) struct Streamed {
     /// Its vertices, if SPUs are to refit the blocks with them.
     moved: Option<Arc<MovedVertices>>,
     /// What its blocks are made of, if that is done in the order of codes, and by SPUs or not.
-    sorted: Option<(Arc<SortedMesh>, BuildBy)>,
+    pub(super) sorted: Option<(Arc<SortedMesh>, BuildBy)>,
     /// Its spheres and cones, if these are what is sorted.
     moving: Option<MovingObjects>,
     /// What its refitted tree has cost since it was built: tests of rays that a new one would not

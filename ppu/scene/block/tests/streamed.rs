@@ -144,21 +144,27 @@ fn equal_materials_have_one_record() {
     assert!(mesh.table.is_none());
 }
 
+/// Spheres of so many materials, and 120 triangles, which stay in local store.
+fn spheres_and_triangles(materials: u32) -> Scene {
+    let mut scene = fills(1200, materials);
+    let triangle = |number: u32| scenes::Object {
+        line: number,
+        material: 0,
+        shape: scenes::Shape::Polygon {
+            vertices: [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]
+                .map(|[x, y]| DVec3::new(x, y, -9.0 - f64::from(number)))
+                .to_vec(),
+        },
+    };
+    scene.objects.extend((0..120).map(triangle));
+    scene
+}
+
 #[test]
 fn many_materials_are_in_main_memory() {
     // 200 take more than local store has beside triangles there and spheres in main memory.
     for kinds in [200, 1200] {
-        let mut scene = fills(1200, kinds);
-        let triangle = |number: u32| scenes::Object {
-            line: number,
-            material: 0,
-            shape: scenes::Shape::Polygon {
-                vertices: [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]
-                    .map(|[x, y]| DVec3::new(x, y, -9.0 - f64::from(number)))
-                    .to_vec(),
-            },
-        };
-        scene.objects.extend((0..120).map(triangle));
+        let scene = spheres_and_triangles(kinds);
         let block = unchanging(&scene);
         let mesh = block.mesh().expect("spheres in main memory");
         let table = mesh.table.expect("materials in main memory");
@@ -172,6 +178,17 @@ fn many_materials_are_in_main_memory() {
             assert_eq!(record.colour, singles(colour));
         }
     }
+}
+
+#[test]
+fn materials_leave_space_for_whole_batches() {
+    let mut tables = Vec::new();
+    for kinds in (10..=200).step_by(10) {
+        let block = unchanging(&spheres_and_triangles(kinds));
+        assert_eq!(block.batch(), SMALL_BATCH, "{kinds} materials");
+        tables.push(block.mesh().expect("spheres in main memory").table.is_some());
+    }
+    assert!(tables.is_sorted() && tables.contains(&false) && tables.contains(&true));
 }
 
 #[test]
