@@ -110,6 +110,8 @@ none_shines:
 sites_listed:
         ila     $w_light,frame
         load_word $w_light,FRAME_lights,$w_light
+        br      next_light
+dark:   ai      $w_light,$w_light,LIGHT_SIZE
 next_light:
         ila     $lights,frame
         lqd     $bright,LIGHT_brightness($w_light)
@@ -251,8 +253,7 @@ none_shone:
         a       $7,$7,$amount
 lambert_call:
         brsl    $lr,lambert_r16
-dark:   ai      $w_light,$w_light,LIGHT_SIZE
-        br      next_light
+        br      dark
         # Rays that need not be traced are taken out meanwhile.
 take:   brsl    $lr,colour_take
         ori     $w_here,$3,0

@@ -101,7 +101,7 @@ endfunction batch_box
 # all roundings: shadow_rays_r16 decides for each point.
 function light_reaches
         lqa     $t_value,reach_known
-        hbr     reaches_end,$lr
+        hbr     out_of_reach,$3                         # as most are
         brz     $t_value,unknown
 known:  lqd     $place,LIGHT_position($w_light)
         lqa     $low_x,box_low
@@ -121,8 +121,8 @@ known:  lqd     $place,LIGHT_position($w_light)
         ilhu    $c_value,0x3f82                         # 1.016, the square
         fm      $part,$part,$falloff
         fcgt    $c_value,$c_value,$part
+out_of_reach:
         biz     $c_value,$3
-reaches_end:
         bi      $lr
 
 unknown:

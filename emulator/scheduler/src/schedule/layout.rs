@@ -23,16 +23,20 @@ pub(super) fn cost(nodes: &[Node], cycles: &[u64]) -> u64 {
 }
 
 /// The cycles of a block at the address `start`, without padding, and the first cycle in which all
-/// of its results are ready. A hint that is too near to its branch, with which the block `next`
-/// after it begins, costs as much as a missed branch.
-pub(super) fn cost_in_place(nodes: &[&Node], start: u32, next: Option<BlockId>) -> (u64, u64) {
+/// of its results are ready. A hint that is too near to its branch costs as much as a miss. `ahead`
+/// is the number of instructions from the block's end to a branch, if it comes after it.
+pub(super) fn cost_in_place(
+    nodes: &[&Node],
+    start: u32,
+    ahead: &dyn Fn(BlockId) -> Option<usize>,
+) -> (u64, u64) {
     let mut pipeline = Pipeline::new(Rules::default());
     let (mut ready, mut late) = (0, 0);
-    for ((at, pc), node) in (0..).zip((start..).step_by(4)).zip(nodes) {
+    for ((at, pc), node) in (1..).zip((start..).step_by(4)).zip(nodes) {
         ready = ready.max(pipeline.issue(pc, node.i).ready_cycle);
-        let between = (nodes.len() - 1 - at) as u64;
-        if node.hinted.is_some() && node.hinted == next && between < HINT_MINIMUM_INSTRUCTIONS {
-            late += MISS_CYCLES;
+        if let Some(ahead) = node.hinted.and_then(ahead) {
+            let between = (nodes.len() - at + ahead) as u64;
+            late += if between < HINT_MINIMUM_INSTRUCTIONS { MISS_CYCLES } else { 0 };
         }
     }
     (pipeline.clock() + late, ready)

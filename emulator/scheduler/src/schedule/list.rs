@@ -45,16 +45,20 @@ pub(super) fn schedule(nodes: &[Node], live: Registers) -> (Vec<Node>, Vec<u64>)
     (nodes, cycles)
 }
 
-/// The nodes of a driver's block, which begins at `start`, in the best order that was found. `next`
-/// is the block after it.
-pub(super) fn reorder(nodes: &[Node], start: u32, next: Option<BlockId>) -> Vec<Node> {
+/// The nodes of a driver's block, which begins at `start`, in the best order that was found.
+/// `ahead` is the number of instructions from the block's end to a branch, if it comes after it.
+pub(super) fn reorder(
+    nodes: &[Node],
+    start: u32,
+    ahead: &dyn Fn(BlockId) -> Option<usize>,
+) -> Vec<Node> {
     let edges = straight(nodes, !0, false, Kind::Driver);
     let mut heights = heights(nodes, &edges);
     for (height, _) in heights.iter_mut().zip(nodes).filter(|(_, node)| node.hinted.is_some()) {
         *height += HINT_HEIGHT;
     }
     let mut best: Vec<&Node> = nodes.iter().collect();
-    let mut least = layout::cost_in_place(&best, start, next);
+    let mut least = layout::cost_in_place(&best, start, ahead);
     for attempt in 0..TRIES {
         let cycles = place(nodes, &edges, &priorities(&heights, attempt));
         for hints_first in [false, true] {
@@ -64,7 +68,7 @@ pub(super) fn reorder(nodes: &[Node], start: u32, next: Option<BlockId>) -> Vec<
                 (cycles[at], later, nodes[at].pipe() == Pipe::Odd)
             });
             let order: Vec<&Node> = order.into_iter().map(|at| &nodes[at]).collect();
-            let cost = layout::cost_in_place(&order, start, next);
+            let cost = layout::cost_in_place(&order, start, ahead);
             if cost < least {
                 (best, least) = (order, cost);
             }

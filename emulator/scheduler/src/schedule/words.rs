@@ -75,15 +75,18 @@ pub(super) fn written(words: &[Word]) -> Registers {
 
 fn scheduled(function: &Function) -> Vec<Vec<Node>> {
     if function.kind == Kind::Driver {
-        let mut address = 0;
-        let blocks = &function.blocks;
-        let next = blocks.iter().skip(1).map(|block| Some(block.id)).chain([None]);
-        let words = |(block, next): (&Block, Option<BlockId>)| {
-            let nodes = list::reorder(&block.nodes, address, next);
-            address += 4 * nodes.len() as u32;
-            nodes
+        // Blocks keep their sizes.
+        let sizes = function.blocks.iter().map(|block| (block.id, block.nodes.len()));
+        let starts: BTreeMap<BlockId, usize> = sizes
+            .scan(0, |next, (id, size)| Some((id, std::mem::replace(next, *next + size))))
+            .collect();
+        let words = |block: &Block| {
+            let start = starts[&block.id];
+            let end = start + block.nodes.len();
+            let ahead = |branch: BlockId| starts[&branch].checked_sub(end);
+            list::reorder(&block.nodes, 4 * start as u32, &ahead)
         };
-        return blocks.iter().zip(next).map(words).collect();
+        return function.blocks.iter().map(words).collect();
     }
     let liveness = function.liveness();
     let words = |(at, block): (usize, &Block)| match &block.cycles {

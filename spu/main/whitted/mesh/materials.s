@@ -34,6 +34,7 @@ current_block:                                          # its number
 # A material's slot is that of the last bits of its number, or the next one that is free: there is
 # one for each ray.
 function mesh_materials
+        hbrr    last_free,next_free
         enter
         il      $number,-1
         ila     $address,arena+MATERIAL_NUMBERS
@@ -44,15 +45,18 @@ next_free:
     .endr
         ai      $address,$address,64
         ai      $count,$count,1
+last_free:
         brnz    $count,next_free
         ila     $h_list,arena+MESH_HIT_LIST
 next_hit:
+        hbrr    same_block,of_block
         ceq     $c_end,$h_list,$h_end
         brnz    $c_end,all_known
-        hbrr    same_block,of_block
         lqd     $hit,0($h_list)
         shli    $3,$hit,1
         rotmi   $3,$3,-8
+        nop     $2                                      # a hint must be eight instructions ahead
+        lnop
         ceq     $is_same,$number,$3
 same_block:
         brnz    $is_same,of_block
@@ -102,20 +106,28 @@ next_slot:
         ceq     $is_same,$count,$material
         cgti    $c_end,$count,-1
         orc     $is_same,$is_same,$c_end
-        brnz    $is_same,found
-        ai      $index,$index,1
-        andi    $index,$index,MATERIAL_SLOTS-1
-        br      next_slot
-found:  cgti    $m_lane,$index,MATERIAL_SLOTS/2-1
+        brz     $is_same,occupied
+        hbrr    listed,next_hit
+        cgti    $m_lane,$index,MATERIAL_SLOTS/2-1
         load_constant $delta,MATERIAL_SECOND-MATERIAL_FIRST-MATERIAL_SLOTS/2*MATERIAL_SIZE
         and     $delta,$delta,$m_lane
         mpyi    $place,$index,MATERIAL_SIZE
         a       $place,$place,$delta
         ila     $delta,arena+MATERIAL_FIRST
         a       $place,$place,$delta
-        brnz    $c_end,fetched
+        brz     $c_end,fetch
+fetched:
+        rotqbyi $address,$hit,4
+        ai      $h_list,$h_list,MESH_HITS_SIZE
+        store_word $place,OBJECT_material,$address,$quad,$m_lane
+listed: br      next_hit
 
-        cwd     $m_lane,0($address)
+occupied:
+        ai      $index,$index,1
+        andi    $index,$index,MATERIAL_SLOTS-1
+        br      next_slot
+
+fetch:  cwd     $m_lane,0($address)
         shufb   $quad,$material,$quad,$m_lane
         stqd    $quad,0($address)
         ila     $address,frame
@@ -127,11 +139,7 @@ found:  cgti    $m_lane,$index,MATERIAL_SLOTS/2-1
         il      $tag,TAG_MATERIAL
         il      $command,MFC_GET
         mfc_command $place,$high,$low,$size,$tag,$command
-fetched:
-        rotqbyi $address,$hit,4
-        ai      $h_list,$h_list,MESH_HITS_SIZE
-        store_word $place,OBJECT_material,$address,$quad,$m_lane
-        br      next_hit
+        br      fetched
 
         # The record of a sphere has the number.
 object: shli    $offset,$index,4
