@@ -19,7 +19,7 @@ use zerocopy::big_endian::U32;
 
 use super::moved::{Line, MovedVertices, memory};
 use super::tree::{Bounds, Kind, Piece, Tree};
-use super::write::{above, coordinate};
+use super::write::{above, coordinate, without_boxes};
 use super::{MeshBlocks, NumberWidth, Numbers, has_area, in_range};
 
 /// The most triangles: a range has a part of each chunk, and SPUs have space for 256 parts.
@@ -331,8 +331,12 @@ impl SortedMesh {
 
 impl Sorted {
     /// Makes the blocks above leaf blocks, which are in the order of codes and whose numbers are
-    /// the pieces' indices, and calls `store` with the number and the bytes of each.
-    pub(super) fn join(self, leaves: Vec<Piece>, store: impl FnMut(usize, &[u8])) {
+    /// the pieces' indices, and calls `store` with the number and the bytes of each. A program that
+    /// makes no leaf blocks gets one block that has no boxes.
+    pub(super) fn join(self, leaves: Vec<Piece>, mut store: impl FnMut(usize, &[u8])) {
+        if leaves.is_empty() {
+            return store(0, &without_boxes().0);
+        }
         let nothing = Mesh::default();
         let count = leaves.len();
         let mut tree = Tree::new(&nothing, leaves, NumberWidth::Byte);

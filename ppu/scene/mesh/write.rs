@@ -146,6 +146,14 @@ pub(super) fn above(tree: &Tree<'_>, root: usize, mut store: impl FnMut(usize, &
     }
 }
 
+/// The first block of a tree that has nothing.
+pub(super) fn without_boxes() -> Block {
+    let mut block = Block([0; MESH_BLOCK as usize]);
+    let all = [header(0, MESH_INNER, 1, 1).as_bytes(), no_boxes().as_bytes()].concat();
+    block.0[..all.len()].copy_from_slice(&all);
+    block
+}
+
 struct Writer<'a> {
     nodes: &'a [Node],
     content: Content<'a>,

@@ -1,8 +1,10 @@
 //! Spheres and cones in blocks in the order of codes: each in one leaf, in a box that holds it.
 
-use protocol::layout::{Cone, MESH_BLOCK, MESH_CONES, MESH_SPHERES, Object};
-use zerocopy::FromBytes as _;
+use protocol::layout::{
+    BuildBounds, Cone, MESH_BLOCK, MESH_CONES, MESH_INNER, MESH_SPHERES, MeshHeader, Object,
+};
 use zerocopy::big_endian::F32;
+use zerocopy::{FromBytes as _, FromZeros as _};
 
 use super::super::{MeshBlocks, MeshObject, NumberWidth, Numbers};
 use super::cones::cones;
@@ -53,5 +55,33 @@ fn every_object_is_in_one_leaf() {
         found.iter_mut().for_each(|it| it.sort_unstable());
         let all = (0..objects.len()).collect::<Vec<_>>();
         assert_eq!(found.concat(), all);
+    }
+}
+
+/// What a program of an SPU writes is not this program's own: no boxes at all, or any numbers.
+#[test]
+fn any_boxes_are_joined() {
+    let spheres = spheres(3000, 1).into_iter().map(MeshObject::Sphere);
+    let objects: Vec<_> = spheres.enumerate().collect();
+    let numbers = Numbers { firsts: &[0, 1], minimum: NumberWidth::Byte };
+    let (blocks, sorted, _) = MeshBlocks::objects_to_sort(&objects, 2, numbers).unwrap();
+    let unmade = BuildBounds { unused: 1.into(), ..BuildBounds::new_zeroed() };
+    let made = |low: f32, high: f32| BuildBounds {
+        low: [F32::new(low); 3],
+        high: [F32::new(high); 3],
+        ..BuildBounds::new_zeroed()
+    };
+    let infinity = f32::INFINITY;
+    let all =
+        [unmade, made(0.0, 0.0), made(f32::NAN, 1.0), made(1.0, -1.0), made(-infinity, infinity)];
+    for (answer, bounds) in all.iter().enumerate() {
+        let mut stored = Vec::new();
+        sorted.join_made(&vec![*bounds; blocks.count() as usize], |number, block| {
+            let (header, _) = MeshHeader::ref_from_prefix(block).unwrap();
+            assert_eq!(header.kind.get(), MESH_INNER);
+            stored.push(number);
+        });
+        let expected = if answer == 0 { 1 } else { stored.len().max(2) };
+        assert_eq!(stored, (0..expected).collect::<Vec<_>>(), "{answer}");
     }
 }
