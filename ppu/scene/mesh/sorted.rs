@@ -7,7 +7,8 @@
 //! as large as chunks, and the triangles of a range are sorted again and packed into blocks. Blocks
 //! above these are made by the surface area heuristic.
 //!
-//! Invariant: a range has at most [`BUILD_CHUNK`] triangles, whatever the codes are.
+//! Invariant: a range has at most [`BUILD_CHUNK`] triangles and [`MOST_IN_UNIT`] blocks, whatever the
+//! codes are.
 
 use protocol::layout::{
     BUILD_CHUNK, BUILD_FEWEST, BUILD_PACK, BUILD_PACK_OBJECTS, BuildBounds, BuildTriangle,
@@ -36,6 +37,8 @@ const LARGEST_STEP: u32 = 32;
 const FEWEST: u32 = 17;
 /// How many blocks of a range may have fewer: one of each kind of sides.
 const SMALLER: u32 = 4;
+/// The most blocks of a unit.
+const MOST_IN_UNIT: u32 = 255;
 
 /// How codes are made: see [`protocol::layout::Build`].
 #[derive(Clone, Copy, Debug, Default)]
@@ -216,11 +219,21 @@ impl Sorted {
     /// The maximum number of leaf blocks of `count` shapes. Their numbers begin with this one:
     /// smaller ones are left for the blocks above.
     pub(super) fn most_leaves(self, count: u32) -> u32 {
-        let Division { chunk, step, in_range } = Division::of(count);
+        let Division { chunk, step, in_range } = self.division(count);
         let chunks = count.div_ceil(chunk);
         let last = count - (chunks - 1) * chunk;
         let samples = (chunks - 1) * chunk.div_ceil(step) + last.div_ceil(step);
         count / self.fewest() + SMALLER * samples.div_ceil(in_range)
+    }
+
+    fn division(self, count: u32) -> Division {
+        let chunk = count.div_ceil(CHUNKS).clamp(SMALLEST_CHUNK, BUILD_CHUNK);
+        let range = chunk.min(LARGEST_RANGE);
+        let most = BUILD_CHUNK.min((MOST_IN_UNIT - SMALLER) * self.fewest());
+        // A range has as many as its samples stand for, and up to `step` more of each chunk.
+        let step = (most - range) / count.div_ceil(chunk);
+        let step = step.clamp(1, LARGEST_STEP);
+        Division { chunk, step, in_range: range / step }
     }
 
     /// How many a block has at least, unless those after it are of another kind.
@@ -242,23 +255,11 @@ struct Division {
     in_range: u32,
 }
 
-impl Division {
-    fn of(triangles: u32) -> Self {
-        let chunk = triangles.div_ceil(CHUNKS).clamp(SMALLEST_CHUNK, BUILD_CHUNK);
-        let range = chunk.min(LARGEST_RANGE);
-        // A range has as many triangles as its samples stand for, and up to `step` more of each
-        // chunk.
-        let step = (BUILD_CHUNK - range) / triangles.div_ceil(chunk);
-        let step = step.clamp(1, LARGEST_STEP);
-        Self { chunk, step, in_range: range / step }
-    }
-}
-
 impl SortedMesh {
     /// The units that sort the chunks of triangles.
     pub(crate) fn chunks(&self) -> Vec<BuildUnit> {
         let triangles = self.count;
-        let size = Division::of(triangles).chunk;
+        let size = self.what.division(triangles).chunk;
         let unit = |first| BuildUnit {
             first: U32::new(first),
             triangles: size.min(triangles - first).into(),
@@ -271,7 +272,7 @@ impl SortedMesh {
     /// that are in each. `code` is that of a triangle in the sorted chunks.
     pub(crate) fn ranges(&self, code: impl Fn(u32) -> u32) -> (Vec<BuildUnit>, Vec<U32>) {
         let triangles = self.count;
-        let Division { chunk, step, in_range } = Division::of(triangles);
+        let Division { chunk, step, in_range } = self.what.division(triangles);
         // Triangles with equal codes stay in their order, so no two are equal.
         let key = |at: u32| u64::from(code(at)) << 32 | u64::from(at);
         let starts = (0..triangles).step_by(chunk as usize);

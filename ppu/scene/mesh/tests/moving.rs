@@ -58,6 +58,30 @@ fn every_object_is_in_one_leaf() {
     }
 }
 
+/// Each chunk has its first object in one place and some more in another, so that a range gets all
+/// of these.
+#[test]
+fn no_range_has_too_many_blocks() {
+    for count in [25_000, 30_000, 100_000_u32] {
+        let objects: Vec<_> =
+            spheres(count, 1).into_iter().map(MeshObject::Sphere).enumerate().collect();
+        let numbers = Numbers { firsts: &[0, 1], minimum: NumberWidth::Byte };
+        let (_, sorted, _) = MeshBlocks::objects_to_sort(&objects, 2, numbers).unwrap();
+        let chunk = sorted.chunks()[0].triangles.get();
+        for crowd in 1..32 {
+            let (units, _) = sorted.ranges(|at| match at % chunk {
+                0 => 0,
+                place if place <= crowd => 1,
+                place => place,
+            });
+            let most = units.iter().map(|unit| unit.count.get()).max().unwrap();
+            assert!(most <= 255, "{count} spheres, {crowd} in a crowd: {most} blocks");
+            let all: u32 = units.iter().map(|unit| unit.triangles.get()).sum();
+            assert_eq!(all, count);
+        }
+    }
+}
+
 /// What a program of an SPU writes is not this program's own: no boxes at all, or any numbers.
 #[test]
 fn any_boxes_are_joined() {
