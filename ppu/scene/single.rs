@@ -8,6 +8,18 @@ pub(crate) const LARGEST: f64 = (1_u64 << 62) as f64;
 /// The smallest size, such as a radius. Its square is still a single, and not 0.
 pub(crate) const SMALLEST: f64 = 1.0 / LARGEST;
 
+/// Whether a number can be squared as a single; NaN can't.
+#[inline]
+pub(crate) fn is_number(value: f64) -> bool {
+    value.abs() <= LARGEST
+}
+
+/// Whether a size is in range, and its square is not 0 as a single.
+#[inline]
+pub(crate) fn is_size(value: f64) -> bool {
+    (SMALLEST..=LARGEST).contains(&value.abs())
+}
+
 /// Rounds a number to the nearest single.
 pub(crate) fn single(value: f64) -> F32 {
     F32::new(value as f32)

@@ -10,15 +10,15 @@ use scenes::{LightKind, Mesh, Shader, Shape};
 use super::error::WorldErrorKind;
 use super::material::{Light, Material};
 use super::meshes::corners;
-use crate::scene::single::{LARGEST, SMALLEST};
+use crate::scene::single::{is_number, is_size};
 
 fn out_of_range(what: &'static str, value: f64, also: &'static str) -> WorldErrorKind {
     WorldErrorKind::OutOfRange { what, value, also }
 }
 
-/// Whether a number can be squared as a single; NaN can't.
+/// Whether a number can be squared as a single.
 fn number(what: &'static str, value: f64) -> Result<(), WorldErrorKind> {
-    if value.abs() <= LARGEST { Ok(()) } else { Err(out_of_range(what, value, "")) }
+    if is_number(value) { Ok(()) } else { Err(out_of_range(what, value, "")) }
 }
 
 /// Whether all components of a vector can be squared as singles.
@@ -27,11 +27,7 @@ pub(super) fn vector(what: &'static str, vector: DVec3) -> Result<(), WorldError
 }
 
 fn size(what: &'static str, value: f64) -> Result<(), WorldErrorKind> {
-    if (SMALLEST..=LARGEST).contains(&value.abs()) {
-        Ok(())
-    } else {
-        Err(out_of_range(what, value, " and at least 2^-62"))
-    }
+    if is_size(value) { Ok(()) } else { Err(out_of_range(what, value, " and at least 2^-62")) }
 }
 
 pub(super) fn shape(shape: &Shape) -> Result<(), WorldErrorKind> {

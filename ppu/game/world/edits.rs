@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use scenes::{HeightRegion, Mesh};
+use scenes::{HeightRegion, Mesh, Shape};
 
+use super::content::Object;
 use super::ids::{LightId, MaterialId, ObjectId};
 use crate::scene::Scene;
 use crate::scene::block::ShaderEntries;
@@ -28,8 +29,8 @@ pub(super) struct Traced {
 pub(super) struct SceneEntry {
     /// Its number in the scene; `None` if it isn't in the scene.
     pub number: Option<usize>,
-    /// Whether it is in [`Edits`].
-    pub is_touched: bool,
+    /// The number of [`Edits::clear`] that forgets its last change; 0 if it has never changed.
+    touched: u64,
     /// Whether it is a polygon that is part of the scene's mesh.
     pub is_in_mesh: bool,
 }
@@ -41,6 +42,8 @@ pub(super) struct Edits {
     /// Whether a new scene must be made.
     pub rebuild: bool,
     pub objects: Vec<ObjectId>,
+    /// Whether there may be a polygon among the objects.
+    pub may_have_polygons: bool,
     pub materials: Vec<MaterialId>,
     pub lights: Vec<LightId>,
     /// Whether meshes have other places.
@@ -49,23 +52,37 @@ pub(super) struct Edits {
     pub ground: HeightRegion,
     /// Numbers of removed objects.
     pub removed: Vec<usize>,
+    /// How many times all changes were forgotten.
+    clears: u64,
+}
+
+impl SceneEntry {
+    /// Whether it is the first change that clear number `clear` forgets. The marks of ten thousand
+    /// objects need not be wiped thus.
+    #[inline]
+    fn touch(&mut self, clear: u64) -> bool {
+        std::mem::replace(&mut self.touched, clear) != clear
+    }
 }
 
 impl Edits {
-    pub fn object(&mut self, id: ObjectId, traced: &mut SceneEntry) {
-        if !std::mem::replace(&mut traced.is_touched, true) {
+    #[inline]
+    pub fn object(&mut self, id: ObjectId, object: &mut Object) {
+        self.may_have_polygons |=
+            matches!(object.shape, Shape::Polygon { .. } | Shape::Patch { .. });
+        if object.traced.touch(self.clears + 1) {
             self.objects.push(id);
         }
     }
 
     pub fn material(&mut self, id: MaterialId, traced: &mut SceneEntry) {
-        if !std::mem::replace(&mut traced.is_touched, true) {
+        if traced.touch(self.clears + 1) {
             self.materials.push(id);
         }
     }
 
     pub fn light(&mut self, id: LightId, traced: &mut SceneEntry) {
-        if !std::mem::replace(&mut traced.is_touched, true) {
+        if traced.touch(self.clears + 1) {
             self.lights.push(id);
         }
     }
@@ -82,6 +99,8 @@ impl Edits {
 
     /// Forgets all changes, and keeps the memory.
     pub fn clear(&mut self) {
+        self.clears += 1;
+        self.may_have_polygons = false;
         self.rebuild = false;
         self.moved_meshes = false;
         self.ground = HeightRegion::default();

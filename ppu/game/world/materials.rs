@@ -55,7 +55,7 @@ impl World {
             self.edits.rebuild |= self.meshes.values().any(|mesh| mesh.used().contains(&id));
             for (object, known) in &mut self.objects {
                 if known.material == id {
-                    self.edits.object(object, &mut known.traced);
+                    self.edits.object(object, known);
                 }
             }
         }

@@ -77,21 +77,6 @@ impl World {
             }
         };
         traced.scene.write()?;
-        for id in &self.edits.objects {
-            if let Some(object) = self.objects.get_mut(*id) {
-                object.traced.is_touched = false;
-            }
-        }
-        for id in &self.edits.materials {
-            if let Some(entry) = self.materials.get_mut(*id) {
-                entry.traced.is_touched = false;
-            }
-        }
-        for id in &self.edits.lights {
-            if let Some(entry) = self.lights.get_mut(*id) {
-                entry.traced.is_touched = false;
-            }
-        }
         if self.edits.moved_meshes || self.edits.rebuild {
             self.meshes_are_traced();
         }
@@ -203,7 +188,8 @@ impl World {
             let shape = self.objects.get(id).map(|object| &object.shape);
             matches!(shape, Some(Shape::Polygon { .. } | Shape::Patch { .. }))
         };
-        if !self.edits.objects.iter().copied().any(is_polygon) {
+        let edits = &self.edits;
+        if !edits.may_have_polygons || !edits.objects.iter().copied().any(is_polygon) {
             return true;
         }
         let visible = self.objects.values().filter(|object| object.visible);

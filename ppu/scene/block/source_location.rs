@@ -5,7 +5,7 @@ use std::fmt;
 use glam::DVec3;
 
 use super::error::BlockError;
-use crate::scene::single::{LARGEST, SMALLEST};
+use crate::scene::single::{is_number, is_size};
 
 /// The place of the numbers that are checked. Error messages begin with it.
 #[derive(Clone, Copy)]
@@ -31,8 +31,7 @@ impl SourceLocation<'_> {
 
     /// Checks that a number can be squared as a single.
     pub fn number(&self, what: &'static str, value: f64) -> Result<(), BlockError> {
-        // False for NaN.
-        if value.abs() <= LARGEST { Ok(()) } else { Err(self.out_of_range(what, value, "")) }
+        if is_number(value) { Ok(()) } else { Err(self.out_of_range(what, value, "")) }
     }
 
     /// Checks that all components of a vector are in range.
@@ -43,7 +42,7 @@ impl SourceLocation<'_> {
 
     /// Checks that a size is in range, and that its square is not 0 as a single.
     pub fn size(&self, what: &'static str, value: f64) -> Result<(), BlockError> {
-        if (SMALLEST..=LARGEST).contains(&value.abs()) {
+        if is_size(value) {
             Ok(())
         } else {
             Err(self.out_of_range(what, value, " and at least 2^-62"))
