@@ -295,6 +295,20 @@ impl World {
                 return Ok(false);
             }
         }
+        // Spheres that move may be ten thousand. The world has checked their numbers. What is left
+        // is for the loop below.
+        if let Some(mut spheres) = block.moving_spheres() {
+            edits.objects.retain(|id| {
+                let Some(object) = objects.get(*id) else { return false };
+                let Shape::Sphere { centre, radius } = object.shape else { return true };
+                let (Some(number), true) = (object.traced.number, object.visible) else {
+                    return true;
+                };
+                let Some(entry) = materials.get(object.material) else { return true };
+                let Some(material) = entry.traced.number else { return true };
+                !spheres.set(number, (centre, radius), (material, &entry.material))
+            });
+        }
         for id in &edits.objects {
             let Some(object) = objects.get_mut(*id) else {
                 continue;

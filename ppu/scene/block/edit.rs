@@ -18,7 +18,7 @@ use super::objects::{self, Object, has_on_surface, sides_seen_from};
 use super::primitive::{PrimitiveId, PrimitiveKind};
 use super::shaders::ShaderEntries;
 use super::source_location::SourceLocation;
-use super::streamed::{InMainMemory, Streamed};
+use super::streamed::{InMainMemory, MovingSpheres, Streamed};
 use super::{SceneBlock, Surface};
 use crate::scene::RefitBy;
 use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS, SIDES_BOTH};
@@ -71,6 +71,11 @@ impl SceneBlock {
     /// in the order of codes.
     pub(crate) fn may_change_objects(&self) -> bool {
         !self.streams_objects() || self.streamed.as_ref().is_some_and(Streamed::moves_objects)
+    }
+
+    /// The spheres in main memory, if they can be changed in place now.
+    pub(crate) fn moving_spheres(&mut self) -> Option<MovingSpheres<'_>> {
+        self.streamed.as_mut()?.moving_spheres()
     }
 
     /// Brings the changed objects into the blocks in main memory. Call it after the last change.

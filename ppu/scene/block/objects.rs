@@ -73,9 +73,7 @@ pub(super) fn of_shape(
         &Shape::Sphere { centre, radius } => {
             place.vector("centre", centre)?;
             place.size("radius", radius)?;
-            let exit = if radius < 0.0 { SIDES_EXIT } else { 0 };
-            let sides = if both != 0 { both } else { exit };
-            found(Primitive::Sphere { centre, radius }, sides)
+            found(Primitive::Sphere { centre, radius }, sides_of_sphere(radius, material))
         }
         &Shape::Cone { base, base_radius, apex, apex_radius } => {
             place.vector("base", base)?;
@@ -118,6 +116,16 @@ pub(super) fn of_shape(
                 found(primitive, if is_smooth { both | SIDES_SMOOTH } else { both })
             })
         }
+    }
+}
+
+/// The sides of a sphere of a material.
+#[inline]
+pub(super) fn sides_of_sphere(radius: f64, material: &Material) -> u32 {
+    match () {
+        () if material.transmittance > 0.0 => SIDES_BOTH,
+        () if radius < 0.0 => SIDES_EXIT,
+        () => 0,
     }
 }
 

@@ -149,6 +149,33 @@ pub struct MeshPlace<'a> {
     pub eye: [F32; 4],
 }
 
+/// The spheres in main memory, which may be very many: what all of them need is looked up once.
+pub(crate) struct MovingSpheres<'a> {
+    sorted: &'a mut SortedMesh,
+    moving: &'a mut MovingObjects,
+    origin: DVec3,
+}
+
+impl MovingSpheres<'_> {
+    /// Does what [`SceneBlock::set_object`](super::SceneBlock::set_object) does, for a sphere whose
+    /// numbers are in range. `false` if a new tree is needed.
+    #[inline]
+    pub fn set(
+        &mut self,
+        number: usize,
+        (centre, radius): (DVec3, f64),
+        (material_number, material): (usize, &Material),
+    ) -> bool {
+        let sphere = MeshSphere {
+            centre: (centre - self.origin).as_vec3(),
+            radius: radius as f32,
+            sides: objects::sides_of_sphere(radius, material),
+            material: material_number as u32,
+        };
+        self.moving.set_sphere(self.sorted, number, &sphere)
+    }
+}
+
 impl Streamed {
     /// The blocks of a scene's mesh, and of its objects of these kinds; `None` if there is nothing
     /// for these.
@@ -329,6 +356,13 @@ impl Streamed {
             return Ok(false);
         };
         Ok(moving.set(sorted, number, &object))
+    }
+
+    /// Its spheres, if they can be changed in place now.
+    pub fn moving_spheres(&mut self) -> Option<MovingSpheres<'_>> {
+        let (origin, has_spheres) = (self.origin, self.kinds.spheres);
+        let (sorted, moving) = self.moving().filter(|_| has_spheres)?;
+        Some(MovingSpheres { sorted, moving, origin })
     }
 
     /// What is sorted, if it is spheres and cones, unless an engine still has their blocks made.
@@ -527,7 +561,6 @@ fn mesh_object(
 ) -> Result<Option<MeshObject>, BlockError> {
     let mut found = None;
     objects::of_shape(shape, material, place, &mut |primitive, sides| {
-        let growth = primitive.growth() as f32;
         match primitive {
             Primitive::Sphere { centre, radius } => {
                 found = Some(MeshObject::Sphere(MeshSphere {
@@ -538,6 +571,7 @@ fn mesh_object(
                 }));
             }
             Primitive::Cone { base, axis, height, radii, hollow } => {
+                let growth = primitive.growth() as f32;
                 found = Some(MeshObject::Cone(MeshCone {
                     base: (base - origin).as_vec3(),
                     axis: axis.as_vec3(),

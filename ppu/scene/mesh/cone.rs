@@ -1,7 +1,7 @@
 //! A cone in main memory.
 
 use glam::{DVec3, Vec3};
-use protocol::layout;
+use protocol::layout::{self, MeshVertex};
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::F32;
 
@@ -30,6 +30,9 @@ pub struct MeshCone {
 }
 
 impl MeshCone {
+    /// The quadword of its records for sorting that has the point at three quarters of its height.
+    pub(super) const POINT: u32 = 4;
+
     /// The radius at the apex. It may not be below 0 because the growth is rounded.
     fn apex_radius(&self) -> f64 {
         let [radius, growth, height] = [self.radius, self.growth, self.height].map(f64::from);
@@ -55,6 +58,14 @@ impl MeshCone {
     pub(super) fn bounds(&self) -> Bounds {
         let [low, high] = self.corners();
         Bounds { low, high }
+    }
+
+    /// Its records for sorting, where `material` is the number of the material in blocks.
+    pub(super) fn quadwords(&self, material: u32) -> [MeshVertex; 5] {
+        let [a, b, c, d]: [MeshVertex; 4] = zerocopy::transmute!(self.record(material));
+        let position = self.base + 0.75 * self.height * self.axis;
+        let position = position.to_array().map(F32::new);
+        [a, b, c, d, MeshVertex { position, ..MeshVertex::new_zeroed() }]
     }
 
     /// Its record in a block, where `material` is the number of the material in blocks.

@@ -97,10 +97,24 @@ impl MovedVertices {
     }
 
     /// Replaces the quadwords of a record. Call [`MovedVertices::are_others`] after the last one.
-    pub(super) fn put_record(&mut self, first: u32, record: &[MeshVertex]) {
-        for (at, quadword) in (first as usize..).zip(record) {
-            self.lines[at / 8].0[at % 8] = *quadword;
+    #[inline]
+    pub(super) fn put_record<const QUADWORDS: usize>(
+        &mut self,
+        first: u32,
+        record: &[MeshVertex; QUADWORDS],
+    ) {
+        let quadwords = self.quadwords().get_mut(first as usize..);
+        if let Some(place) = quadwords.and_then(<[_]>::first_chunk_mut) {
+            *place = *record;
         }
+    }
+
+    /// The quadwords of all records.
+    #[inline]
+    fn quadwords(&mut self) -> &mut [MeshVertex] {
+        let (first, count) = (self.lines.as_mut_ptr(), 8 * self.lines.len());
+        // SAFETY: a line is eight quadwords without padding, and the lines are lent out.
+        unsafe { std::slice::from_raw_parts_mut(first.cast(), count) }
     }
 
     /// Gives them another version.

@@ -14,7 +14,7 @@ use super::moved::{Line, MovedVertices, memory};
 use super::objects::MeshObject;
 use super::sorted::{Grid, MOST_TRIANGLES, Sorted, SortedMesh};
 use super::tree::Bounds;
-use super::{MeshBlocks, MeshStatistics, NumberWidth, Numbers};
+use super::{MeshBlocks, MeshCone, MeshSphere, MeshStatistics, NumberWidth, Numbers};
 
 /// An object that is sorted.
 #[derive(Clone, Copy, Debug)]
@@ -41,18 +41,43 @@ pub struct MovingObjects {
 impl MovingObjects {
     /// Gives an object another shape and material; `false` if it has no place for them.
     pub fn set(&mut self, sorted: &mut SortedMesh, number: usize, object: &MeshObject) -> bool {
-        let slot = self.slots.get_mut(number).and_then(Option::as_mut);
-        let material = self.materials.get(object.material() as usize).copied().flatten();
-        let (Some(slot), Some(material)) = (slot, material) else { return false };
-        if slot.is_cone != object.is_cone() {
+        let cone = match object {
+            MeshObject::Sphere(sphere) => return self.set_sphere(sorted, number, sphere),
+            MeshObject::Cone(cone) => cone,
+        };
+        let Some((slot, material)) = self.slot(number, cone.material, true) else {
             return false;
-        }
-        object.write(material, &mut |record| sorted.vertices.put_record(slot.place, record));
+        };
+        sorted.vertices.put_record(slot.place, &cone.quadwords(material));
         slot.corners = object.corners();
+        true
+    }
+
+    /// [`MovingObjects::set`] for a sphere.
+    #[inline]
+    pub fn set_sphere(
+        &mut self,
+        sorted: &mut SortedMesh,
+        number: usize,
+        sphere: &MeshSphere,
+    ) -> bool {
+        let Some((slot, material)) = self.slot(number, sphere.material, false) else {
+            return false;
+        };
+        sorted.vertices.put_record(slot.place, &sphere.quadwords(material));
+        slot.corners = sphere.corners();
+        true
+    }
+
+    /// The slot of an object that is changed, and the number in blocks of its material.
+    #[inline]
+    fn slot(&mut self, number: usize, material: u32, is_cone: bool) -> Option<(&mut Slot, u32)> {
+        let slot = self.slots.get_mut(number)?.as_mut().filter(|slot| slot.is_cone == is_cone)?;
+        let material = (*self.materials.get(material as usize)?)?;
         self.are_others_shown |= !slot.is_shown;
         slot.is_shown = true;
         self.are_changed = true;
-        true
+        Some((slot, material))
     }
 
     /// Takes an object out of the picture.
@@ -95,7 +120,7 @@ impl Slot {
     fn element(&self) -> BuildTriangle {
         let (point, kind) = match self.is_cone {
             false => (self.place, 0),
-            true => (self.place + MeshObject::POINT, BUILD_CONE),
+            true => (self.place + MeshCone::POINT, BUILD_CONE),
         };
         BuildTriangle {
             code: U32::ZERO,
@@ -153,10 +178,15 @@ impl MeshBlocks {
                 is_shown: true,
                 corners: object.corners(),
             });
-            object.write(material, &mut |record| records.extend(record));
-            match object.is_cone() {
-                false => statistics.spheres += 1,
-                true => statistics.cones += 1,
+            match object {
+                MeshObject::Sphere(sphere) => {
+                    records.extend(sphere.quadwords(material));
+                    statistics.spheres += 1;
+                }
+                MeshObject::Cone(cone) => {
+                    records.extend(cone.quadwords(material));
+                    statistics.cones += 1;
+                }
             }
         }
         if used.len() > MESH_MATERIALS as usize || records.len() > MovedVertices::MOST {

@@ -1,9 +1,7 @@
 //! The spheres and cones that are in main memory.
 
 use glam::DVec3;
-use protocol::layout::MeshVertex;
-use zerocopy::big_endian::F32;
-use zerocopy::{FromZeros as _, IntoBytes as _};
+use zerocopy::IntoBytes as _;
 
 use super::tree::{Bounds, Kind, Piece};
 use super::{MeshCone, MeshSphere};
@@ -16,9 +14,6 @@ pub(in crate::scene) enum MeshObject {
 }
 
 impl MeshObject {
-    /// The quadword of a cone's records that has the point at three quarters of its height.
-    pub const POINT: u32 = 4;
-
     pub fn is_cone(&self) -> bool {
         matches!(self, Self::Cone(_))
     }
@@ -34,28 +29,8 @@ impl MeshObject {
     /// The corners of the box around it.
     pub fn corners(&self) -> [DVec3; 2] {
         match self {
-            Self::Sphere(sphere) => {
-                let (centre, radius) = (sphere.centre.as_dvec3(), f64::from(sphere.radius.abs()));
-                [centre - radius, centre + radius]
-            }
+            Self::Sphere(sphere) => sphere.corners(),
             Self::Cone(cone) => cone.corners().map(|corner| corner.as_dvec3()),
-        }
-    }
-
-    /// Calls `put` with its records for sorting, where `material` is the number of the material in
-    /// blocks.
-    pub fn write(&self, material: u32, put: &mut dyn FnMut(&[MeshVertex])) {
-        match self {
-            Self::Sphere(sphere) => {
-                let record: [MeshVertex; 3] = zerocopy::transmute!(sphere.record(material));
-                put(&record);
-            }
-            Self::Cone(cone) => {
-                let [a, b, c, d]: [MeshVertex; 4] = zerocopy::transmute!(cone.record(material));
-                let position = cone.base + 0.75 * cone.height * cone.axis;
-                let position = position.to_array().map(F32::new);
-                put(&[a, b, c, d, MeshVertex { position, ..MeshVertex::new_zeroed() }]);
-            }
         }
     }
 }

@@ -1,7 +1,7 @@
 //! A sphere in main memory.
 
-use glam::Vec3;
-use protocol::layout;
+use glam::{DVec3, Vec3};
+use protocol::layout::{self, MeshVertex};
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::F32;
 
@@ -27,7 +27,21 @@ impl MeshSphere {
         Bounds { low: self.centre - radius, high: self.centre + radius }
     }
 
+    /// The corners of the box around it.
+    #[inline]
+    pub(super) fn corners(&self) -> [DVec3; 2] {
+        let (centre, radius) = (self.centre.as_dvec3(), f64::from(self.radius.abs()));
+        [centre - radius, centre + radius]
+    }
+
+    /// Its record for sorting, where `material` is the number of the material in blocks.
+    #[inline]
+    pub(super) fn quadwords(&self, material: u32) -> [MeshVertex; 3] {
+        zerocopy::transmute!(self.record(material))
+    }
+
     /// Its record in a block, where `material` is the number of the material in blocks.
+    #[inline]
     pub(super) fn record(&self, material: u32) -> layout::Object {
         layout::Object {
             centre: self.centre.to_array().map(F32::new),
