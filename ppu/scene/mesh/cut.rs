@@ -3,6 +3,8 @@
 //! An inner block has up to 18 nodes in up to three levels, and so up to 52 children. Each level is
 //! complete: all children of a block's lowest nodes are blocks, all others are nodes.
 
+use std::ops::Deref;
+
 use protocol::layout::{Boxes, MESH_BLOCK, MESH_LEVELS, MeshHeader};
 
 use super::leaf::WIDTH;
@@ -21,46 +23,64 @@ const SHARE: usize = 32;
 
 const _: () = assert!(MESH_LEVELS == 3);
 
-/// The nodes of an inner block below each other: the root's children, or the nodes at the next
-/// level, or the tree's nodes that become blocks.
-#[derive(Debug)]
-pub(super) enum Branch {
-    /// A node of the block, and what is below it.
-    Node(Vec<Branch>),
-    /// A node of the tree: the root of a block.
-    Block(usize),
+/// Up to as many nodes of the tree as a node of a block has children. No memory is allocated for
+/// them: some hundreds are made for a picture of moving spheres.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Items {
+    all: [usize; WIDTH],
+    count: usize,
 }
 
-/// The root's children, for the block of a node of the tree that is not a leaf; and the number of
-/// levels.
-pub(super) fn cut(tree: &[Node], root: usize) -> (Vec<Branch>, usize) {
+impl Items {
+    fn of(item: usize) -> Self {
+        Self { all: [item; WIDTH], count: 1 }
+    }
+}
+
+impl Deref for Items {
+    type Target = [usize];
+
+    fn deref(&self) -> &[usize] {
+        &self.all[..self.count]
+    }
+}
+
+/// The nodes of an inner block level by level, for a node of the tree that is not a leaf; and the
+/// number of levels. A node has these children: at the lowest level the roots of blocks, above it
+/// the nodes that follow, in their order.
+pub(super) fn cut(tree: &[Node], root: usize) -> (Vec<Items>, usize) {
     let share = if tree[root].leaves <= MAX_CHILDREN { 1 } else { SHARE };
-    let first = spread(tree, vec![root], WIDTH, share);
-    let blocks = |items: Vec<usize>| items.into_iter().map(Branch::Block).collect::<Vec<_>>();
-    let is_done = |items: &[usize]| items.iter().all(|&item| tree[item].leaves <= share);
-    if is_done(&first) {
-        return (blocks(first), 1);
+    let is_done = |items: &[Items]| items.iter().all(|it| are_done(tree, it, share));
+    let first = spread(tree, root, share);
+    let mut nodes = Vec::with_capacity(NODES);
+    nodes.push(first);
+    if is_done(&nodes) {
+        return (nodes, 1);
     }
-    let second: Vec<Vec<usize>> =
-        first.iter().map(|&item| spread(tree, vec![item], WIDTH, share)).collect();
-    if second.iter().all(|items| is_done(items)) {
-        let nodes = second.into_iter().map(|items| Branch::Node(blocks(items)));
-        return (nodes.collect(), 2);
+    nodes.extend(first.iter().map(|&item| spread(tree, item, share)));
+    if is_done(&nodes[1..]) {
+        return (nodes, 2);
     }
-    let second = limited(tree, &first, share);
-    let nodes = second.into_iter().map(|items| {
-        let below = items
-            .into_iter()
-            .map(|item| Branch::Node(blocks(spread(tree, vec![item], WIDTH, share))));
-        Branch::Node(below.collect())
-    });
-    (nodes.collect(), 3)
+    nodes.truncate(1);
+    nodes.extend(first.iter().map(|&item| Items::of(item)));
+    limit(tree, &mut nodes[1..], share);
+    for at in 1..nodes.len() {
+        let items = nodes[at];
+        nodes.extend(items.iter().map(|&item| spread(tree, item, share)));
+    }
+    (nodes, 3)
 }
 
-/// Replaces the node with the most leaves by its halves until there are `count` nodes, or none with
-/// more than `share` leaves.
-fn spread(tree: &[Node], mut items: Vec<usize>, count: usize, share: usize) -> Vec<usize> {
-    while items.len() < count {
+/// Whether no item has more than `share` leaves.
+fn are_done(tree: &[Node], items: &[usize], share: usize) -> bool {
+    items.iter().all(|&item| tree[item].leaves <= share)
+}
+
+/// Replaces the node with the most leaves by its halves until there are [`WIDTH`] nodes, or none
+/// with more than `share` leaves.
+fn spread(tree: &[Node], item: usize, share: usize) -> Items {
+    let mut items = Items::of(item);
+    while items.len() < WIDTH {
         let largest = (0..items.len()).max_by_key(|&at| tree[items[at]].leaves);
         if !largest.is_some_and(|at| divide(tree, &mut items, at, share)) {
             break;
@@ -70,11 +90,13 @@ fn spread(tree: &[Node], mut items: Vec<usize>, count: usize, share: usize) -> V
 }
 
 /// Replaces a node by its halves, unless it has `share` leaves or fewer.
-fn divide(tree: &[Node], items: &mut Vec<usize>, at: usize, share: usize) -> bool {
+fn divide(tree: &[Node], items: &mut Items, at: usize, share: usize) -> bool {
     match tree[items[at]].halves {
         Some([first, second]) if tree[items[at]].leaves > share => {
-            items[at] = first;
-            items.insert(at + 1, second);
+            items.all.copy_within(at + 1..WIDTH - 1, at + 2);
+            items.all[at] = first;
+            items.all[at + 1] = second;
+            items.count += 1;
             true
         }
         _ => false,
@@ -83,8 +105,7 @@ fn divide(tree: &[Node], items: &mut Vec<usize>, at: usize, share: usize) -> boo
 
 /// As [`spread`] for each of the first level's nodes, but with no more than [`THIRD`] nodes in all:
 /// those with the most leaves are divided first.
-fn limited(tree: &[Node], first: &[usize], share: usize) -> Vec<Vec<usize>> {
-    let mut groups: Vec<Vec<usize>> = first.iter().map(|&item| vec![item]).collect();
+fn limit(tree: &[Node], groups: &mut [Items], share: usize) {
     let mut count = groups.len();
     while count < THIRD {
         let open = groups.iter().enumerate().filter(|(_, it)| it.len() < WIDTH);
@@ -96,5 +117,4 @@ fn limited(tree: &[Node], first: &[usize], share: usize) -> Vec<Vec<usize>> {
         }
         count += 1;
     }
-    groups
 }

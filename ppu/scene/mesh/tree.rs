@@ -162,11 +162,10 @@ impl<'a> Tree<'a> {
         self.join(halves)
     }
 
-    /// Grows the tree of leaf blocks that are in a good order, which they keep. That takes a small
+    /// Grows the tree of one or more leaf blocks that are in a good order, which they keep. That takes a small
     /// part of the time of [`Tree::grow`].
     pub fn grow_in_order(&mut self, pieces: Range<usize>) -> usize {
-        if pieces.len() <= 1 {
-            let bounds = around(&self.pieces[pieces.clone()]);
+        if let [Piece { bounds, .. }] = self.pieces[pieces.clone()] {
             self.nodes.push(Node { bounds, pieces, leaves: 1, halves: None });
             return self.nodes.len() - 1;
         }
@@ -282,21 +281,26 @@ fn split(pieces: &mut [Piece], capacity: usize, few_blocks: usize) -> usize {
 /// side. `areas` is a buffer.
 fn divide(pieces: &[Piece], areas: &mut Vec<f64>) -> usize {
     let count = pieces.len();
-    let fewest = (count / 4).max(1);
-    areas.resize(areas.len().max(count), 0.0);
-    let mut after = Bounds::EMPTY;
-    for at in (fewest..count).rev() {
-        after = after.with(pieces[at].bounds);
-        areas[at] = after.area();
+    if count <= 2 {
+        return 1;
     }
-    let mut before = around(&pieces[..fewest - 1]);
+    let fewest = (count / 4).max(1);
+    let last = count - fewest;
+    let middle = &pieces[fewest..=last];
+    areas.clear();
+    let mut after = around(&pieces[last + 1..]);
+    areas.extend(middle.iter().rev().map(|piece| {
+        after = after.with(piece.bounds);
+        after.area()
+    }));
+    let mut before = around(&pieces[..fewest]);
     let mut best = (f64::INFINITY, fewest);
-    for at in fewest..=count - fewest {
-        before = before.with(pieces[at - 1].bounds);
-        let cost = before.area() * at as f64 + areas[at] * (count - at) as f64;
+    for ((at, piece), after) in (fewest..).zip(middle).zip(areas.iter().rev()) {
+        let cost = before.area() * at as f64 + after * (count - at) as f64;
         if cost < best.0 {
             best = (cost, at);
         }
+        before = before.with(piece.bounds);
     }
     best.1
 }

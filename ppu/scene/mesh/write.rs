@@ -13,8 +13,8 @@ use scenes::Mesh;
 use zerocopy::big_endian::{F32, U32};
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
-use super::cut::{Branch, cut};
-use super::leaf::{run_bounds, runs};
+use super::cut::cut;
+use super::leaf::{WIDTH, run_bounds, runs};
 use super::normal::packed;
 use super::objects::MeshObjects;
 use super::statistics::MeshStatistics;
@@ -171,6 +171,31 @@ struct Writer<'a> {
 
 /// A child of a node: its box, and its word.
 type Child = (Bounds, u32);
+
+/// The children of a node of an inner block.
+struct Children {
+    all: [Child; WIDTH],
+    count: usize,
+}
+
+impl Default for Children {
+    fn default() -> Self {
+        Self { all: [(Bounds::EMPTY, 0); WIDTH], count: 0 }
+    }
+}
+
+impl Children {
+    fn push(&mut self, child: Child) {
+        self.all[self.count] = child;
+        self.count += 1;
+    }
+}
+
+impl AsRef<[Child]> for Children {
+    fn as_ref(&self) -> &[Child] {
+        &self.all[..self.count]
+    }
+}
 
 impl<'a> Writer<'a> {
     fn new(
@@ -330,44 +355,27 @@ impl<'a> Writer<'a> {
     /// Writes an inner block. `child` gives a node of the tree a block's number.
     fn inner(&mut self, number: u32, at: usize, child: &mut dyn FnMut(usize) -> u32) -> Block {
         let (branches, levels) = cut(self.nodes, at);
-        let mut nodes: Vec<Vec<Child>> = Vec::new();
-        let mut level: Vec<&[Branch]> = vec![&branches];
-        let mut below = 1;
-        while !level.is_empty() {
-            let mut next: Vec<&[Branch]> = Vec::new();
-            for branches in level {
-                let children = branches.iter().map(|branch| match branch {
-                    Branch::Block(block) => (self.nodes[*block].bounds, child(*block)),
-                    Branch::Node(branches) => {
-                        next.push(branches);
-                        (self.around(branch), offset(below + next.len() - 1))
-                    }
-                });
-                nodes.push(children.collect());
+        let mut next = 1;
+        let nodes = branches.iter().map(|items| {
+            let mut children = Children::default();
+            for &item in items.iter() {
+                let word = if next < branches.len() { offset(next) } else { child(item) };
+                next += 1;
+                children.push((self.nodes[item].bounds, word));
             }
-            below += next.len();
-            level = next;
-        }
+            children
+        });
+        let nodes: Vec<Children> = nodes.collect();
         self.statistics.inner += 1;
         let header = header(number, MESH_INNER, levels, nodes.len());
         self.block(self.nodes[at].bounds, &header, &nodes, &[])
-    }
-
-    fn around(&self, branch: &Branch) -> Bounds {
-        match branch {
-            Branch::Block(block) => self.nodes[*block].bounds,
-            Branch::Node(branches) => {
-                let boxes = branches.iter().map(|branch| self.around(branch));
-                boxes.fold(Bounds::EMPTY, Bounds::with)
-            }
-        }
     }
 
     fn block(
         &mut self,
         bounds: Bounds,
         header: &MeshHeader,
-        nodes: &[Vec<Child>],
+        nodes: &[impl AsRef<[Child]>],
         arrays: &[&[u8]],
     ) -> Block {
         self.statistics.expected_blocks += self.share(bounds);
@@ -380,7 +388,7 @@ impl<'a> Writer<'a> {
             at = (at + bytes.len()).next_multiple_of(16);
         };
         put(header.as_bytes());
-        for children in nodes {
+        for children in nodes.iter().map(AsRef::as_ref) {
             self.statistics.expected_nodes += self.share(all(children));
             let boxes_of_children = children.iter().map(|(bounds, _)| bounds.area());
             self.cost += boxes_of_children.sum::<f64>();
