@@ -3,8 +3,7 @@
 # SPUs. All tiles must be whole: 64x16 pixels.
 #
 # Where the SPUs would build blocks of spheres and cones, it writes no blocks, since the PPE reads
-# none. What the PPE does read are codes and boxes, and these are those of shapes that fill a cube
-# evenly: the codes of a chunk rise by 1, and the boxes of all ranges follow one another through a
+# none. The PPE reads only codes and boxes, and these are those of shapes that fill a cube evenly: the codes of a chunk rise by 1, and the boxes of all ranges follow one another through a
 # grid. There may be up to 1024 shapes in a chunk, and 2048 blocks. Where the SPUs would refit
 # blocks, the PPE's work is the same for any boxes, so the boxes stay as they are.
 #
@@ -19,8 +18,8 @@
         .set    pixels, 85
         .set    unit_high, 86
         .set    task, 87
-        .set    answer_high, 88
-        .set    answer, 89                      # the low address of codes or boxes
+        .set    result_high, 88
+        .set    result, 89                      # the low address of codes or boxes
         .set    box, 90                         # the local-store address of the next box
 
         .set    FEATURE_BUILD, 2048
@@ -112,36 +111,36 @@ build:  lqa     $low,frame+112                  # scene
         ceqi    $2,$task,BUILD_SORT
         brnz    $2,sort
 
-        lqa     $answer_high,record+16          # bounds
-        rotqbyi $answer_high,$answer_high,8
-        rotqbyi $answer,$answer_high,4
+        lqa     $result_high,record+16          # bounds
+        rotqbyi $result_high,$result_high,8
+        rotqbyi $result,$result_high,4
         il      $4,IN_BLOCK
         ila     $box,boxes
 2:      move    record, $unit_high, $unit, 128, 0x40
         lqa     $5,record                       # first
         shli    $5,$5,5
-        a       $5,$5,$answer
+        a       $5,$5,$result
         lqa     $6,record+16                    # triangles
         mpyu    $6,$6,$4
         rotmi   $6,$6,-16
         ai      $6,$6,1
         shli    $6,$6,5
-        transfer $box, $answer_high, $5, $6, 0x20
+        transfer $box, $result_high, $5, $6, 0x20
         a       $box,$box,$6
         next_unit 2b
         br      reply
 
-sort:   lqa     $answer_high,record+48          # sorted
-        rotqbyi $answer_high,$answer_high,8
-        rotqbyi $answer,$answer_high,4
+sort:   lqa     $result_high,record+48          # sorted
+        rotqbyi $result_high,$result_high,8
+        rotqbyi $result,$result_high,4
 3:      move    record, $unit_high, $unit, 128, 0x40
         lqa     $5,record                       # first
         shli    $5,$5,4
-        a       $5,$5,$answer
+        a       $5,$5,$result
         lqa     $6,record+16                    # triangles
         shli    $6,$6,4
         ila     $7,codes
-        transfer $7, $answer_high, $5, $6, 0x20
+        transfer $7, $result_high, $5, $6, 0x20
         next_unit 3b
         br      reply
 

@@ -82,7 +82,7 @@ fn no_range_has_too_many_blocks() {
     }
 }
 
-/// What a program of an SPU writes is not this program's own: no boxes at all, or any numbers.
+/// The boxes are those of a program of SPUs, which may write none, or any numbers.
 #[test]
 fn any_boxes_are_joined() {
     let spheres = spheres(3000, 1).into_iter().map(MeshObject::Sphere);
@@ -98,14 +98,14 @@ fn any_boxes_are_joined() {
     let infinity = f32::INFINITY;
     let all =
         [unmade, made(0.0, 0.0), made(f32::NAN, 1.0), made(1.0, -1.0), made(-infinity, infinity)];
-    for (answer, bounds) in all.iter().enumerate() {
+    for (case, bounds) in all.iter().enumerate() {
         let mut stored = Vec::new();
         sorted.join_made(&vec![*bounds; blocks.count() as usize], |number, block| {
             let (header, _) = MeshHeader::ref_from_prefix(block).unwrap();
             assert_eq!(header.kind.get(), MESH_INNER);
             stored.push(number);
         });
-        let expected = if answer == 0 { 1 } else { stored.len().max(2) };
-        assert_eq!(stored, (0..expected).collect::<Vec<_>>(), "{answer}");
+        let expected = if case == 0 { 1 } else { stored.len().max(2) };
+        assert_eq!(stored, (0..expected).collect::<Vec<_>>(), "{case}");
     }
 }
