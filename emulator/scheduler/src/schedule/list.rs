@@ -58,7 +58,7 @@ pub(super) fn reorder(
         *height += HINT_HEIGHT;
     }
     let mut best: Vec<&Node> = nodes.iter().collect();
-    let mut least = layout::cost_in_place(&best, start, ahead);
+    let mut smallest = layout::cost_in_place(&best, start, ahead);
     for attempt in 0..TRIES {
         let cycles = place(nodes, &edges, &priorities(&heights, attempt));
         for hints_first in [false, true] {
@@ -69,8 +69,8 @@ pub(super) fn reorder(
             });
             let order: Vec<&Node> = order.into_iter().map(|at| &nodes[at]).collect();
             let cost = layout::cost_in_place(&order, start, ahead);
-            if cost < least {
-                (best, least) = (order, cost);
+            if cost < smallest {
+                (best, smallest) = (order, cost);
             }
         }
     }

@@ -144,7 +144,7 @@ fn equal_materials_have_one_record() {
     assert!(mesh.table.is_none());
 }
 
-/// Spheres of so many materials, and 120 triangles, which stay in local store.
+/// Spheres of this number of materials, and 120 triangles, which stay in local store.
 fn spheres_and_triangles(materials: u32) -> Scene {
     let mut scene = fills(1200, materials);
     let triangle = |number: u32| scenes::Object {
