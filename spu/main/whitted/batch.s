@@ -98,11 +98,9 @@ unlit:
         brsl    $lr,batch_fog
 clear:
         brsl    $lr,batch_bounce
-        hbrr    sum_call,accumulate_r16
         lqa     $3,rays_at
         lqa     $4,surfaces_at
         ori     $5,$w_count,0
-sum_call:
         brsl    $lr,accumulate_r16
         phase_ends $g_ticks_shade,$amount
         leave
@@ -208,11 +206,9 @@ endfunction flags_gather
         .set    way,21
 
 function surfaces_make
-        hbrr    same_call,same_objects_r16
         enter
         lqa     $3,rays_at
         ori     $4,$w_count,0
-same_call:
         brsl    $lr,same_objects_r16
         # The bits of the remaining packets, with the first in the sign, and the length of its run.
         sfi     $run,$w_count,32
@@ -286,7 +282,10 @@ next_packet:
         hbr     way_call,$way
         ilhu    $wanted,SIDES_SMOOTH>>16
         and     $wanted,$wanted,$flags
-        brnz    $wanted,smooth
+        brz     $wanted,flat
+        brsl    $lr,smooth_r16
+        packet_and_surfaces
+        lqa     $way,surface_way
 flat:   andi    $wanted,$flags,MATERIAL_SHADED|MATERIAL_TEXTURED
         brz     $wanted,as_it_is
         andi    $wanted,$flags,MATERIAL_TEXTURED
@@ -295,20 +294,13 @@ flat:   andi    $wanted,$flags,MATERIAL_SHADED|MATERIAL_TEXTURED
 way_call:
         bisl    $lr,$way
 plain:  andi    $wanted,$flags,MATERIAL_SHADED
-        brnz    $wanted,shader
-as_it_is:
-        brnz    $w_left,next_packet
-        leave
-
-smooth: brsl    $lr,smooth_r16
-        packet_and_surfaces
-        lqa     $way,surface_way
-        br      flat
-
-shader: ori     $offset,$3,0
+        brz     $wanted,as_it_is
+        ori     $offset,$3,0
         ori     $3,$4,0
         ori     $4,$offset,0
         brsl    $lr,shaders_run
         brnz    $3,give_up
-        br      as_it_is
+as_it_is:
+        brnz    $w_left,next_packet
+        leave
 endfunction batch_shade
