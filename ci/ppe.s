@@ -3,8 +3,9 @@
 # SPUs. All tiles must be whole: 64x16 pixels.
 #
 # Where the SPUs would build blocks of spheres and cones, it writes no blocks, since the PPE reads
-# none. The PPE reads only codes and boxes, and these are those of shapes that fill a cube evenly: the codes of a chunk rise by 1, and the boxes of all ranges follow one another through a
-# grid. There may be up to 1024 shapes in a chunk, and 2048 blocks. Where the SPUs would refit
+# none. The PPE reads only codes and boxes, and these are those of shapes that fill a cube evenly:
+# the codes of a chunk rise by 1, and the boxes of all ranges follow one another through a grid.
+# There may be up to 1024 shapes in a chunk, and 2048 blocks. Where the SPUs would refit
 # blocks, the PPE's work is the same for any boxes, so the boxes stay as they are.
 #
 #   Entry   $4 word 1: the number of this SPU; SPU 0 replies for all tiles

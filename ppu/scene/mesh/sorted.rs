@@ -7,8 +7,8 @@
 //! as large as chunks, and the triangles of a range are sorted again and packed into blocks. Blocks
 //! above these are made by the surface area heuristic.
 //!
-//! Invariant: a range has at most [`BUILD_CHUNK`] triangles and [`MOST_IN_UNIT`] blocks, whatever the
-//! codes are.
+//! Invariant: a range has at most [`BUILD_CHUNK`] triangles and [`MOST_IN_UNIT`] blocks, whatever
+//! the codes are.
 
 use protocol::layout::{
     BUILD_CHUNK, BUILD_FEWEST, BUILD_PACK, BUILD_PACK_OBJECTS, BuildBounds, BuildTriangle,

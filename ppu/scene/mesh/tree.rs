@@ -162,8 +162,8 @@ impl<'a> Tree<'a> {
         self.join(halves)
     }
 
-    /// Grows the tree of one or more leaf blocks that are in a good order, which they keep. That takes a small
-    /// part of the time of [`Tree::grow`].
+    /// Grows the tree of one or more leaf blocks that are in a good order, which they keep. That
+    /// takes a small part of the time of [`Tree::grow`].
     pub fn grow_in_order(&mut self, pieces: Range<usize>) -> usize {
         if let [Piece { bounds, .. }] = self.pieces[pieces.clone()] {
             self.nodes.push(Node { bounds, pieces, leaves: 1, halves: None });

@@ -2,7 +2,8 @@
 //!
 //! `docs/spu-programming.md` has the rules. In kernels, accesses through different base values do
 //! not overlap. In drivers, only objects of different names and the stack do not. Accesses through
-//! the same base value overlap if their offsets do. A store marked `may alias` overlaps every access.
+//! the same base value overlap if their offsets do. A store marked `may alias` overlaps every
+//! access.
 
 use super::Kind;
 use super::function::{Node, Reference};

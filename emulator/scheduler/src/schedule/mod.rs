@@ -60,9 +60,10 @@ pub struct Scheduled {
 }
 
 /// Schedules all functions of a source. `object` is the assembler's output for it, made with `-g`
-/// and without `--strip-local-absolute`. `kind` limits what may change. `path` names the source in messages and in the line
-/// table. `assemble` turns a text into an object in the same way. The object of the schedule is
-/// compared with the plain one, so that a lost instruction or operand is an error.
+/// and without `--strip-local-absolute`. `kind` limits what may change. `path` names the source in
+/// messages and in the line table. `assemble` turns a text into an object in the same way. The
+/// object of the schedule is compared with the plain one, so that a lost instruction or operand is
+/// an error.
 pub fn schedule<E: Into<Box<dyn Error + Send + Sync>>>(
     object: &[u8],
     kind: Kind,

@@ -223,7 +223,8 @@ fn stream(random: &mut Random, source: &mut String, name: &str) -> Vec<u8> {
     live
 }
 
-/// A function that calls `leaf`, with pointers that overlap, the stack, objects with names, and hints.
+/// A function that calls `leaf`, with pointers that overlap, the stack, objects with names, and
+/// hints.
 fn driver(random: &mut Random, source: &mut String, name: &str) {
     let shape = Shape { in_loop: false, aliases: true, records: false, doubles: false };
     let _ = writeln!(source, "\nfunction {name}\n        stqd $lr,16($sp)\n        ai $sp,$sp,-64");
