@@ -16,8 +16,13 @@ use protocol::layout::{MAX_SPUS, TILE_FLAGS, TILE_KEPT, UNIT_TILES, UnitCost, Wo
 /// end. It is low enough for the time to take a unit to be negligible.
 const UNITS_AN_SPU: u32 = 24;
 
-/// The number of units for each SPU that go upwards.
-const STRIPS_AN_SPU: u32 = 19;
+/// The smallest number of units for each SPU that go upwards. With fewer of them, SPUs would idle at
+/// the end.
+const STRIPS_AN_SPU: u32 = 4;
+
+/// The most tiles of a unit that goes upwards. Cuts begin at the eye with each unit, so that shorter
+/// ones take longer.
+const STRIP_TILES: usize = 8;
 
 /// An SPU's share of the remaining work is divided by this to get the largest cost of the next
 /// unit, so the last units are small. With a lower number SPUs would idle at the end; with a
@@ -83,11 +88,12 @@ impl Units {
         self.order.clear();
         self.order.extend_from_slice(tiles);
         self.order.sort_unstable_by_key(|&tile| (tile % across, Reverse(tile)));
-        let length = tiles.len().div_ceil((STRIPS_AN_SPU * spus.max(1)) as usize);
+        let share = tiles.len().div_ceil((STRIPS_AN_SPU * spus.max(1)) as usize);
+        let length = share.clamp(1, STRIP_TILES);
         let order = std::mem::take(&mut self.order);
         for column in order.chunk_by(|one, other| one % across == other % across) {
             let length = column.len().div_ceil(column.len().div_ceil(length));
-            column.chunks(length.min(UNIT_TILES as usize)).for_each(|unit| self.push(unit));
+            column.chunks(length).for_each(|unit| self.push(unit));
         }
         self.order = order;
         let row = |tile: &U32| u64::from(tile.get() / across);
