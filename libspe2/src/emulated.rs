@@ -20,6 +20,7 @@ use crate::machine::{machine, policy};
 use crate::mfc::{Transfer, asked};
 use crate::problem_state::{Areas, RunState};
 use crate::process_memory::ProcessMemory;
+use crate::quick_copy::{self, QuickCopies};
 use crate::run::{Ended, Outcome, StartRegisters, after_call, stop_status};
 use crate::types::{
     SPE_AFFINITY_MEMORY, SPE_CFG_SIGNOTIFY1_OR, SPE_CFG_SIGNOTIFY2_OR, SPE_DMA_ALIGNMENT,
@@ -57,6 +58,7 @@ impl Emulated {
             return Err(Errno(libc::EPERM));
         }
         ProcessMemory::prepare().map_err(|_| Errno(libc::EFAULT))?;
+        quick_copy::prepare()?;
         let mode = |flag| {
             if has(flag) { SignalMode::Or } else { SignalMode::Overwrite }
         };
@@ -184,6 +186,7 @@ impl Backend for Emulated {
 
     fn run(&self, at: u32, start: Option<&StartRegisters>) -> (u32, Ended) {
         self.run_state.starts();
+        let _copies = QuickCopies::where_handled();
         let prepare = |spu: &mut Spu| {
             if let Some(start) = start {
                 start.set(self.spe.local_store(), spu);

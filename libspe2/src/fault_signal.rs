@@ -8,6 +8,8 @@ use std::ptr;
 
 use libc::c_int;
 
+use crate::fault_handler;
+
 const BUS_ADRALN: c_int = 1;
 const BUS_OBJERR: c_int = 3;
 const SEGV_ACCERR: c_int = 2;
@@ -60,11 +62,10 @@ impl FaultSignal {
     /// function returns. Without one, the process ends, even if the signal was ignored or blocked,
     /// because a fault can be neither.
     pub(crate) fn raise(self) -> After {
+        let action = fault_handler::of_program(self.signal);
         // SAFETY: every pointer is to a local variable of this function, and the signal number is
         // valid.
         unsafe {
-            let mut action = MaybeUninit::<libc::sigaction>::zeroed().assume_init();
-            libc::sigaction(self.signal, ptr::null(), &raw mut action);
             let mut set = MaybeUninit::<libc::sigset_t>::zeroed().assume_init();
             let mut blocked = MaybeUninit::<libc::sigset_t>::zeroed().assume_init();
             libc::sigemptyset(&raw mut set);

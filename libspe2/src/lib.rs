@@ -12,6 +12,9 @@
 //!   waits for ever.
 //! - A caught signal interrupts no wait, and it ends a run only if the run raised it.
 //! - Any number of stop records may stay unread.
+//! - On x86-64, the library handles SIGSEGV and SIGBUS from the first context on, for transfers with
+//!   bad addresses. Other faults go to the handler that the program had before. A program may
+//!   install its own handlers later: those transfers then take a system call each.
 //! - Of the system calls that a console's kernel carries out for stop 0x2104, the common ones are
 //!   served, and the others fail with ENOSYS.
 //!
@@ -58,6 +61,7 @@ pub mod cpu_info;
 mod emulated;
 mod error;
 pub mod event;
+mod fault_handler;
 mod fault_signal;
 mod futex;
 pub mod image;
@@ -66,6 +70,7 @@ pub mod mailbox;
 pub mod mfc;
 mod problem_state;
 mod process_memory;
+mod quick_copy;
 mod report;
 pub mod run;
 mod scratch;

@@ -1,8 +1,10 @@
 //! The process's own memory as main memory: an effective address is an address in the process.
 //!
-//! Invariant: no access by the emulated MFC raises a signal in this process, because the kernel
-//! checks every address first. There is one exception: a program that unmaps memory while its SPEs
-//! exchange lines in it. Such a program would fail anyway.
+//! Invariant: no access by the emulated MFC raises a signal that the program sees: the kernel checks
+//! every address first, or [the library's handler](crate::fault_handler) ends an access that faults.
+//! There are two exceptions. A program unmaps memory while its SPEs exchange lines in it. Or it
+//! installs its own handler while an SPE runs, whose next transfer has a bad address: it gets the
+//! signal of that transfer early. Such programs would fail anyway.
 
 use std::ptr;
 use std::sync::atomic::AtomicUsize;
@@ -12,6 +14,7 @@ use std::sync::{Mutex, PoisonError};
 use spu_emulator::memory::{LINE, MainMemory, MemoryFault, Place};
 
 use crate::futex::{Writable, probe_write};
+use crate::quick_copy;
 use crate::scratch::Pool;
 use crate::shared_mappings;
 
@@ -35,18 +38,40 @@ impl ProcessMemory {
 
 impl MainMemory for ProcessMemory {
     fn read(&self, ea: u64, into: &mut [u8]) -> Result<(), MemoryFault> {
+        if quick_copy::fetch(ea, into) {
+            return Ok(());
+        }
         POOL.with(|scratch| scratch.fetch(ea, into)).map_err(|ea| MemoryFault { ea })
     }
 
     fn write(&self, ea: u64, from: &[u8]) -> Result<(), MemoryFault> {
+        if quick_copy::store(ea, from) {
+            return Ok(());
+        }
         POOL.with(|scratch| scratch.store(ea, from)).map_err(|ea| MemoryFault { ea })
     }
 
     fn read_pieces(&self, pieces: &[(u64, usize)], into: &mut [u8]) -> Result<(), MemoryFault> {
+        let mut rest = &mut *into;
+        if pieces.iter().all(|&(ea, length)| {
+            let (piece, others) = std::mem::take(&mut rest).split_at_mut(length);
+            rest = others;
+            quick_copy::fetch(ea, piece)
+        }) {
+            return Ok(());
+        }
         POOL.with(|scratch| scratch.fetch_pieces(pieces, into)).map_err(|ea| MemoryFault { ea })
     }
 
     fn write_pieces(&self, pieces: &[(u64, usize)], from: &[u8]) -> Result<(), MemoryFault> {
+        let mut rest = from;
+        if pieces.iter().all(|&(ea, length)| {
+            let (piece, others) = rest.split_at(length);
+            rest = others;
+            quick_copy::store(ea, piece)
+        }) {
+            return Ok(());
+        }
         POOL.with(|scratch| scratch.store_pieces(pieces, from)).map_err(|ea| MemoryFault { ea })
     }
 

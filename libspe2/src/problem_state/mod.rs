@@ -3,11 +3,10 @@
 //! An area is memory that nobody may access. A load or store there raises SIGSEGV, and the handler
 //! of that signal decodes the instruction, accesses the emulated register instead, and continues
 //! after the instruction. The handler runs on the thread that made the access and outside of any
-//! function of this library, so it may take locks. Other faults go to the handler that the program
-//! had before.
+//! function of this library, so it may take locks.
 //!
-//! Limitation: a program that installs its own handler of SIGSEGV after the first such context
-//! must pass on the faults that are not its own.
+//! Limitation: a program that installs its own handler of SIGSEGV after its first context must pass
+//! on the faults that are not its own.
 
 #[cfg_attr(target_arch = "x86_64", path = "access_x86_64.rs")]
 #[cfg_attr(any(target_arch = "powerpc64", target_arch = "powerpc"), path = "access_powerpc.rs")]
@@ -16,7 +15,6 @@
     path = "access_absent.rs"
 )]
 mod access;
-mod handler;
 mod registers;
 
 use std::io;
@@ -28,6 +26,8 @@ use spu_emulator::signal::SignalRegister;
 use spu_emulator::spe::Spe;
 
 use crate::error::Errno;
+use crate::fault_handler;
+use access::Access;
 use registers::{Registers, SIGNAL_1, SIGNAL_2};
 
 pub(crate) use registers::{RunState, SIZE};
@@ -49,7 +49,7 @@ impl Areas {
             messages::print!("libspe2: SPE_MAP_PS: not on this kind of processor");
             return Err(Errno(libc::ENOTSUP));
         }
-        handler::install()?;
+        fault_handler::install()?;
         // SAFETY: a new mapping at an address that the kernel chooses overlaps nothing.
         let mapping = unsafe {
             libc::mmap(
@@ -97,4 +97,38 @@ fn registers_at(address: usize) -> Option<(Arc<Registers>, usize)> {
     let mapped = MAPPED.read().unwrap_or_else(PoisonError::into_inner);
     let found = mapped.iter().find(|(base, _)| (*base..base + SIZE).contains(&address));
     found.map(|(base, registers)| (Arc::clone(registers), address - base))
+}
+
+/// Carries out an access to a register, if there is one at this address.
+///
+/// # Safety
+/// `context` is what the kernel passes to a handler of the fault.
+pub(crate) unsafe fn serve(address: usize, context: *mut c_void) -> bool {
+    let Some((registers, offset)) = registers_at(address) else {
+        return false;
+    };
+    // SAFETY: the errno of this thread can always be accessed.
+    let errno = unsafe { *libc::__errno_location() };
+    // SAFETY: the caller vouches for the context.
+    let decoded = unsafe { access::decode(context) };
+    let Some(decoded) = decoded else {
+        messages::print!(
+            "libspe2: offset {offset:#x} of a problem-state area is accessed by an instruction \
+             that is no plain 32-bit load or store"
+        );
+        std::process::abort();
+    };
+    match decoded.access {
+        Access::Load => {
+            let value = registers.read(offset);
+            // SAFETY: as above.
+            unsafe { decoded.set_result(context, value) };
+        }
+        Access::Store(value) => registers.write(offset, value),
+    }
+    // SAFETY: as above.
+    unsafe { decoded.step(context) };
+    // SAFETY: as above.
+    unsafe { *libc::__errno_location() = errno };
+    true
 }

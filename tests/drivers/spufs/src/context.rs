@@ -11,6 +11,7 @@ use spu_emulator::spe::{Config, Spe, Watcher};
 use crate::error::Errno;
 use crate::problem_state::{Areas, RunState};
 use crate::process_memory::ProcessMemory;
+use crate::quick_copy;
 use crate::readiness::{Levels, event_descriptor, into_raw};
 use crate::table::{Open, table};
 
@@ -149,6 +150,7 @@ pub(crate) fn create(path: &str, flags: u32) -> Result<i32, Errno> {
         return Err(Errno(libc::EINVAL));
     }
     ProcessMemory::prepare()?;
+    quick_copy::prepare()?;
     let context = Context {
         number: CREATED.fetch_add(1, Relaxed),
         flags,

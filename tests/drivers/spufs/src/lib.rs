@@ -17,6 +17,8 @@
 mod context;
 mod error;
 mod fault;
+#[path = "../../../../libspe2/src/fault_handler.rs"]
+mod fault_handler;
 #[path = "../../../../libspe2/src/fault_signal.rs"]
 mod fault_signal;
 mod file;
@@ -28,6 +30,8 @@ mod next;
 mod problem_state;
 #[path = "../../../../libspe2/src/process_memory.rs"]
 mod process_memory;
+#[path = "../../../../libspe2/src/quick_copy.rs"]
+mod quick_copy;
 mod readiness;
 mod run;
 #[path = "../../../../libspe2/src/scratch.rs"]

@@ -7,6 +7,7 @@ use crate::context::{Context, EVENTS_ENABLED};
 use crate::error::Errno;
 use crate::fault;
 use crate::fault_signal::{After, FaultSignal};
+use crate::quick_copy::QuickCopies;
 use crate::system_call;
 
 const STOPPED: i32 = 0x02;
@@ -71,6 +72,7 @@ pub(crate) fn run(context: &Context, npc: &mut u32) -> Result<(i32, u32), Errno>
         while fault::is_silent(context.number) {
             std::thread::park();
         }
+        let _copies = QuickCopies::where_handled();
         let stopped = context.loaded(|| context.spe().run(*npc & spu_isa::LIMIT_MASK));
         *npc = stopped.npc;
         let next = after(context, &stopped);
