@@ -103,10 +103,7 @@ impl MovedVertices {
         first: u32,
         record: &[MeshVertex; QUADWORDS],
     ) {
-        let quadwords = self.quadwords().get_mut(first as usize..);
-        if let Some(place) = quadwords.and_then(<[_]>::first_chunk_mut) {
-            *place = *record;
-        }
+        self.quadwords()[first as usize..][..QUADWORDS].copy_from_slice(record);
     }
 
     /// The quadwords of all records.
