@@ -194,7 +194,7 @@ mod tests {
         }
     }
 
-    /// What can be accessed is copied, and a fault ends a copy, as often as it occurs.
+    /// Bytes that can be accessed are copied. A fault ends a copy, as often as it occurs.
     #[test]
     fn faults_end_copies() {
         prepare().unwrap();
