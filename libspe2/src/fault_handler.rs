@@ -86,7 +86,7 @@ unsafe extern "C" fn on_fault(signal: c_int, info: *mut siginfo_t, context: *mut
     // SAFETY: the kernel passes valid structures, a fault has an address, and the kernel's
     // arguments are passed on as they are.
     unsafe {
-        // Other programs may send the same signals, with other codes.
+        // Another program may send the same signal, which has no such code, during a copy.
         if (*info).si_code > 0 && quick_copy::end_after_fault(context) {
             return;
         }
@@ -103,12 +103,15 @@ unsafe fn pass_on(signal: c_int, info: *mut siginfo_t, context: *mut c_void) {
     let Some(before) = before(signal) else {
         return;
     };
+    // SAFETY: the caller vouches for the arguments. A fault can't be ignored, unlike a signal that a
+    // program sends.
+    let is_sent = unsafe { (*info).si_code } <= 0;
     match before.sa_sigaction {
-        libc::SIG_IGN => {}
-        libc::SIG_DFL => {
+        libc::SIG_IGN if is_sent => {}
+        libc::SIG_DFL | libc::SIG_IGN => {
             // SAFETY: without a handler, the signal ends the process when this one returns.
             unsafe {
-                libc::sigaction(signal, before, ptr::null_mut());
+                libc::signal(signal, libc::SIG_DFL);
                 libc::raise(signal);
             }
         }

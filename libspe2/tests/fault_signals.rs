@@ -118,6 +118,15 @@ fn main() {
         };
         assert_eq!(end_of_child(ignored, words), *signal);
     }
+    // Nor can a fault of the program itself, which the library's handler passes on.
+    for action in [libc::SIG_DFL, libc::SIG_IGN] {
+        let fault = || unsafe {
+            libc::signal(libc::SIGSEGV, action);
+            run(&[STOP]);
+            ptr::with_exposed_provenance::<u8>(8).read_volatile();
+        };
+        assert_eq!(end_of_child(fault, &[STOP]), libc::SIGSEGV);
+    }
     for (words, signal, code, address) in &cases {
         handle(*signal, 0);
         assert_eq!(run(words), (-1, SPE_RUNTIME_FATAL, libc::EINTR));
