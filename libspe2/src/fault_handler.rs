@@ -103,8 +103,8 @@ unsafe fn pass_on(signal: c_int, info: *mut siginfo_t, context: *mut c_void) {
     let Some(before) = before(signal) else {
         return;
     };
-    // SAFETY: the caller vouches for the arguments. A fault can't be ignored, unlike a signal that a
-    // program sends.
+    // SAFETY: the caller vouches for the arguments. A fault can't be ignored, unlike a signal that
+    // a program sends.
     let is_sent = unsafe { (*info).si_code } <= 0;
     match before.sa_sigaction {
         libc::SIG_IGN if is_sent => {}

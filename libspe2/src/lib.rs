@@ -12,8 +12,8 @@
 //!   waits for ever.
 //! - A caught signal interrupts no wait, and it ends a run only if the run raised it.
 //! - Any number of stop records may stay unread.
-//! - On x86-64, the library handles SIGSEGV and SIGBUS from the first context on, for transfers with
-//!   bad addresses. Other faults go to the handler that the program had before. A program may
+//! - On x86-64, the library handles SIGSEGV and SIGBUS from the first context on, for transfers
+//!   with bad addresses. Other faults go to the handler that the program had before. A program may
 //!   install its own handlers later: those transfers then take a system call each.
 //! - Of the system calls that a console's kernel carries out for stop 0x2104, the common ones are
 //!   served, and the others fail with ENOSYS.

@@ -1,10 +1,10 @@
 //! The process's own memory as main memory: an effective address is an address in the process.
 //!
-//! Invariant: no access by the emulated MFC raises a signal that the program sees: the kernel checks
-//! every address first, or [the library's handler](crate::fault_handler) ends an access that faults.
-//! There are two exceptions. A program unmaps memory while its SPEs exchange lines in it. Or it
-//! installs its own handler while an SPE runs, whose next transfer has a bad address: it gets the
-//! signal of that transfer early. Such programs would fail anyway.
+//! Invariant: no access by the emulated MFC raises a signal that the program sees: the kernel
+//! checks every address first, or [the library's handler](crate::fault_handler) ends an access that
+//! faults. There are two exceptions. A program unmaps memory while its SPEs exchange lines in it.
+//! Or it installs its own handler while an SPE runs, whose next transfer has a bad address: it gets
+//! the signal of that transfer early. Such programs would fail anyway.
 
 use std::ptr;
 use std::sync::atomic::AtomicUsize;

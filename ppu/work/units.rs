@@ -16,12 +16,12 @@ use protocol::layout::{MAX_SPUS, TILE_FLAGS, TILE_KEPT, UNIT_TILES, UnitCost, Wo
 /// end. It is low enough for the time to take a unit to be negligible.
 const UNITS_AN_SPU: u32 = 24;
 
-/// The smallest number of units for each SPU that go upwards. With fewer of them, SPUs would idle at
-/// the end.
+/// The smallest number of units for each SPU that go upwards. With fewer of them, SPUs would idle
+/// at the end.
 const STRIPS_AN_SPU: u32 = 4;
 
-/// The most tiles of a unit that goes upwards. Cuts begin at the eye with each unit, so that shorter
-/// ones take longer.
+/// The most tiles of a unit that goes upwards. Cuts begin at the eye with each unit, so that
+/// shorter ones take longer.
 const STRIP_TILES: usize = 8;
 
 /// An SPU's share of the remaining work is divided by this to get the largest cost of the next
