@@ -105,8 +105,6 @@ host=${CARGO_TARGET_DIR:-$top/target}/debug
 build_for_host() { step "build for the host" cargo test --quiet --workspace --no-run; }
 
 # The console's programs, and all else that is run under QEMU.
-build_for_ppc64() {
-    local packages=(-p cellray -p cellray-play -p shader-example -p libspe2 -p ps3fb -p spufs)
-    ! full || packages+=(-p accuracy)
-    cargo build --release --quiet --target "$ppc64" "${packages[@]}"
-}
+packages_for_ppc64=(-p cellray -p cellray-play -p shader-example -p libspe2 -p ps3fb -p spufs)
+! full || packages_for_ppc64+=(-p accuracy)
+build_for_ppc64() { cargo build --release --quiet --target "$ppc64" "${packages_for_ppc64[@]}"; }
