@@ -39,6 +39,14 @@ struct Failures {
     count: u32,
     /// The instructions that the host's singles could not compute.
     special: Steps,
+    stand_in: Option<Arc<Unit>>,
+}
+
+/// A slower unit that runs once in place of one that has just failed.
+struct StandIn {
+    /// The unit that has failed, which is put back afterwards.
+    failed: Arc<Unit>,
+    slower: Arc<Unit>,
 }
 
 /// Runs one SPU on compiled code and the interpreter.
@@ -48,6 +56,8 @@ pub struct Runner {
     /// For each word of local store, how often the SPU entered it without a unit there.
     entry_counts: Box<[u16]>,
     failures: Vec<Failures>,
+    /// The current stand-in.
+    stand_in: Option<StandIn>,
     /// Finds the instructions that made a unit fail.
     specials: Option<Box<Specials>>,
     /// With the check mode.
@@ -108,6 +118,7 @@ impl Runner {
             translations: Arc::clone(translations),
             entry_counts: vec![0; LOCAL_STORE_WORDS].into_boxed_slice(),
             failures: Vec::new(),
+            stand_in: None,
             specials: None,
             copies: None,
             compiled: 0,
@@ -344,6 +355,10 @@ impl Runner {
         } else {
             self.enter(spu, local_store, left)
         };
+        let stood_in = self.stand_in.take();
+        if let Some(StandIn { failed, .. }) = &stood_in {
+            self.cpu.install(failed);
+        }
         let ran = spu.executed() - before;
         self.compiled += ran;
         if channels.stop_requested() {
@@ -354,10 +369,16 @@ impl Runner {
             Exit::Left if ran == 0 => Dispatch::InterpretBlock,
             Exit::Left => Dispatch::Any,
             Exit::Interpret => Dispatch::InterpretOne,
-            Exit::Failed(number) => {
-                self.failed(number, spu, local_store);
-                Dispatch::InterpretBlock
-            }
+            Exit::Failed(number) => match &stood_in {
+                Some(stand_in) if stand_in.slower.number() == number => {
+                    self.failed(stand_in.failed.number(), spu, local_store);
+                    Dispatch::InterpretBlock
+                }
+                _ => {
+                    self.failed(number, spu, local_store);
+                    self.stand_in_for(number, spu.pc())
+                }
+            },
             Exit::Watched => Dispatch::InterpretBlock,
             Exit::Stale(number) => {
                 self.stale(number, local_store);
@@ -365,7 +386,13 @@ impl Runner {
             }
             Exit::Hot(number) => {
                 if let Some(unit) = self.translations.optimized(number) {
-                    self.cpu.install(&unit);
+                    match &stood_in {
+                        Some(stand_in) if stand_in.slower.number() == number => {
+                            let failed = stand_in.failed.number() as usize;
+                            self.failures[failed].stand_in = Some(unit);
+                        }
+                        _ => self.cpu.install(&unit),
+                    }
                 }
                 Dispatch::Any
             }
@@ -391,9 +418,10 @@ impl Runner {
         exit
     }
 
-    /// A unit has failed. If it fails often, it is replaced: by one iteration of an unrolled loop,
-    /// by a unit with a slower [`FloatMode`], or by one that ends before its double precision. If
-    /// there can't be one, the address is never compiled again.
+    /// A unit has failed. If it does so now and then, it gets a stand-in for these cases. If it
+    /// fails often, it is replaced: by one iteration of an unrolled loop, by a unit with a slower
+    /// [`FloatMode`], or by one that ends before its double precision. If there can't be one, the
+    /// address is never compiled again.
     fn failed(&mut self, number: u32, spu: &Spu, local_store: &LocalStore) {
         let at = number as usize;
         if self.failures.len() <= at {
@@ -402,8 +430,7 @@ impl Runner {
         let failures = &mut self.failures[at];
         failures.count += 1;
         let count = failures.count;
-        let often = count.saturating_mul(ENTRIES_PER_FAILURE) > self.cpu.entries(number);
-        if count > MIN_FAILURES && !(often && count.is_power_of_two()) {
+        if count > MIN_FAILURES && !count.is_power_of_two() {
             return;
         }
         let unit = self.translations.unit(number);
@@ -412,10 +439,18 @@ impl Runner {
         }
         let specials = self.specials.get_or_insert_with(|| Box::new(Specials::new()));
         failures.special = failures.special.with(specials.find(unit.trace(), spu, local_store));
-        if count < MIN_FAILURES || !often {
+        if count < MIN_FAILURES {
             return;
         }
         let special = failures.special;
+        if count.saturating_mul(ENTRIES_PER_FAILURE) <= self.cpu.entries(number) {
+            let mode = unit.mode().fallback(special).filter(|_| unit.has_fallback());
+            if let Some(slower) = mode.and_then(|mode| self.translations.stand_in(&unit, mode)) {
+                failures.stand_in = Some(slower);
+            }
+            return;
+        }
+        failures.stand_in = None;
         let mostly = count.saturating_mul(2) > self.cpu.entries(number);
         let other = match unit.trace().rolled() {
             // The failure of one iteration discards several.
@@ -428,6 +463,20 @@ impl Runner {
                 self.cpu.remove(unit.start());
                 self.entry_counts[unit.start() as usize / 4] = NEVER;
             }
+        }
+    }
+
+    /// Has the stand-in of a unit that has failed run in its place, or else the interpreter.
+    fn stand_in_for(&mut self, number: u32, pc: u32) -> Dispatch {
+        let slower = self.failures[number as usize].stand_in.clone();
+        match slower {
+            Some(slower) if slower.start() == pc => {
+                let failed = self.translations.unit(number);
+                self.cpu.install(&slower);
+                self.stand_in = Some(StandIn { failed, slower });
+                Dispatch::Any
+            }
+            _ => Dispatch::InterpretBlock,
         }
     }
 

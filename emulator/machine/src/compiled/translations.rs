@@ -173,6 +173,14 @@ impl Translations {
         self.shared.compile(trace, mode, tier)
     }
 
+    /// Returns a unit of the same trace in a slower mode. Those who look for a unit still find this
+    /// one.
+    pub(super) fn stand_in(&self, unit: &Unit, mode: FloatMode) -> Option<Arc<Unit>> {
+        let slower = self.add(unit.trace().clone(), mode);
+        lock(&self.shared.units).prefer(unit);
+        slower
+    }
+
     /// Returns the optimized unit in place of this one, or has it compiled if there is none yet.
     pub(super) fn optimized(&self, number: u32) -> Option<Arc<Unit>> {
         let unit = self.unit(number);
@@ -229,6 +237,15 @@ impl Units {
             None => here.push(Arc::clone(unit)),
         }
         self.by_number.insert(unit.number(), Arc::clone(unit));
+    }
+
+    /// Makes this unit, or the optimized one in its place, the newest at its address.
+    fn prefer(&mut self, unit: &Unit) {
+        let Some(here) = self.by_address.get_mut(&unit.start()) else { return };
+        let same = |other: &Arc<Unit>| other.mode() == unit.mode() && other.trace() == unit.trace();
+        if let Some(at) = here.iter().position(same) {
+            here[at..].rotate_left(1);
+        }
     }
 
     fn find(&self, pc: u32, local_store: &LocalStore) -> Option<&Arc<Unit>> {

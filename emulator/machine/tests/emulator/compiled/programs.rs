@@ -323,6 +323,30 @@ fn a_loop_of_specials_stays_compiled() {
     assert!(compiled > spu.executed() * 9 / 10, "{compiled} of {}", spu.executed());
 }
 
+/// A loop that has special numbers in one of 16 iterations. Its unit stays, and a slower one stands
+/// in for these iterations.
+#[test]
+fn a_loop_of_few_specials_stays_compiled() {
+    const ONE: u32 = 0x3f80_0000;
+    const EXPONENT: u32 = 0x7f80_0000;
+    let mut body = vec![
+        word(Op::Andi, [4, 2, 0], 15),
+        word(Op::Ceqi, [4, 4, 0], 0),
+        word(Op::And, [5, 4, 6], 0),
+        word(Op::Or, [5, 5, 7], 0),
+        word(Op::Fm, [8, 5, 7], 0),
+        word(Op::A, [3, 3, 8], 0),
+    ];
+    // So long that it is not unrolled.
+    body.extend((0..20).map(|n| word(Op::Ai, [20 + n, 20 + n, 0], 1)));
+    let code = counted_loop(&body, 10 * ROUNDS, 0);
+    let (_, spu, compiled) = compare_engines(&code, |spu, _| {
+        spu.set_register(6, Quad::splat(EXPONENT));
+        spu.set_register(7, Quad::splat(ONE));
+    });
+    assert!(compiled > spu.executed() * 96 / 100, "{compiled} of {}", spu.executed());
+}
+
 /// The compiler does not see that both registers have the same address. The unit fails at first,
 /// and the one that replaces it stores before it loads.
 #[test]
