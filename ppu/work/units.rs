@@ -13,8 +13,9 @@ use crate::framebuffer::Geometry;
 use protocol::layout::{MAX_SPUS, TILE_FLAGS, TILE_KEPT, UNIT_TILES, UnitCost, WorkUnit};
 
 /// The number of units for each SPU if the tiles' costs are unknown, without the small ones at the
-/// end. It is low enough for the time to take a unit to be negligible.
-const UNITS_AN_SPU: u32 = 24;
+/// end. It is low enough for the time to take a unit to be negligible, and high enough for a unit
+/// of expensive tiles not to outlast all others.
+const UNITS_AN_SPU: u32 = 48;
 
 /// The smallest number of units for each SPU that go upwards. With fewer of them, SPUs would idle
 /// at the end.

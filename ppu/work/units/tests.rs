@@ -47,7 +47,7 @@ fn every_tile_is_in_one_unit() {
 fn units_without_costs_shrink_towards_end() {
     let wanted: Vec<u32> = (0..900).collect();
     let mut units = Units::default();
-    for (spus, first, count) in [(6, 7, 22..32), (16, 3, 15..25), (1, 31, 28..45)] {
+    for (spus, first, count) in [(6, 4, 40..50), (16, 2, 28..36), (1, 19, 50..65)] {
         units.split(&wanted, spus, Split::Units, None);
         let order: Vec<u32> = units.lines().iter().flat_map(tiles).collect();
         assert_eq!(order, wanted);
