@@ -39,6 +39,7 @@ struct Failures {
     count: u32,
     /// The instructions that the host's singles could not compute.
     special: Steps,
+    /// The unit that runs once in its place after a failure.
     stand_in: Option<Arc<Unit>>,
 }
 
